@@ -230,7 +230,7 @@ pub const CODES: &[Code] = &[
         "Change the sign of the load. Downward loads are positive."),
     elsewhere("GB212", SOIL,
         "ground defined by soil data is uniform and infinite",
-        "Remove the segments and the ends of the ground, or give k and mu in place of the soil data."),
+        "Remove the ground segments and the definitions of the ground's ends, or give k and mu in place of the soil data."),
     row("GB301", FORMAT, "off-the-beam.toml",
         "a position must lie on the beam",
         "Give a position between 0 and the length of the beam."),

@@ -68,12 +68,13 @@ impl Mechanism {
         (x - self.nodes[node]).abs() <= same_place(l)
     }
 
-    /// Returns the smallest groups of nodes that may lift together, r < 0. Supports and tension do no work in
-    /// such a lift, and the beam presses nowhere on the ground. Every free motion r ≤ 0 is a sum of multiples
-    /// of these lifts.
+    /// Returns the smallest groups of neighbouring nodes that can rise together while all other nodes stay at
+    /// rest. Such a lift satisfies the constraints of supports and tension, and the beam presses nowhere on the
+    /// ground. Every rigid motion r ≤ 0 (r is the downward displacement) that satisfies the constraints is a
+    /// sum of positive multiples of these lifts.
     ///
-    /// If r ≤ 0 vanishes inside a piece, it vanishes on the whole piece. A piece that cannot rotate lifts
-    /// both of its nodes equally.
+    /// A support inside a piece keeps both nodes of the piece at rest, because a linear function r ≤ 0 that is
+    /// zero inside a piece is zero on the whole piece. Both nodes of a piece that cannot rotate rise equally.
     pub fn free_groups(&self) -> Vec<Range<usize>> {
         let mut fixed = vec![false; self.nodes.len()];
         for &x in &self.held {
@@ -165,12 +166,14 @@ mod tests {
         model
     }
 
-    /// Returns the index of the first node of each free group, and the index after its last node.
+    /// Returns, for each group of nodes that can rise together, the index of its first node and the index after
+    /// its last node.
     fn groups(of: &Mechanism) -> Vec<[usize; 2]> {
         of.free_groups().into_iter().map(|group| [group.start, group.end]).collect()
     }
 
-    /// The smallest distance at which two positions of the beam are different.
+    /// Distance along the beam at which two positions just count as different. Up to 16 machine epsilons times
+    /// the beam length 8, they count as equal.
     const DISTINCT: f64 = 17.0 * f64::EPSILON * 8.0;
 
     #[test]
@@ -232,8 +235,9 @@ mod tests {
         all
     }
 
-    /// Returns the constraints on the nodal values of r, one row for each constraint. The constraints are r = 0
-    /// at the held positions, and equal values at both ends of a piece that cannot rotate.
+    /// Returns the constraints on the nodal values of a rigid motion r (downward displacement, linear between
+    /// nodes), one row for each constraint. The constraints are r = 0 at the held positions, and equal values
+    /// of r at both ends of a piece that cannot rotate.
     fn constraints(of: &Mechanism) -> Vec<Vec<f64>> {
         let row = |entries: &[(usize, f64)]| {
             let mut row = vec![0.0; of.nodes.len()];
@@ -275,8 +279,9 @@ mod tests {
         rank
     }
 
-    /// A piece cannot move if and only if the constraints imply r = 0 at both of its nodes. In this case, r = 0
-    /// at one of these nodes as a further constraint does not raise the rank.
+    /// A piece cannot move if and only if the constraints imply that the rigid motion r is zero at both of its
+    /// nodes. The constraints imply r = 0 at a node if and only if adding r = 0 as a further constraint does
+    /// not raise their rank.
     #[test]
     fn the_first_free_piece_follows_from_the_rank_of_the_constraints() {
         for of in mechanisms() {
@@ -290,15 +295,17 @@ mod tests {
             let piece = (0..of.straight.len()).find(|i| moves(*i) || moves(*i + 1));
             let wanted = piece.map(|i| [of.nodes[i], of.nodes[i + 1]]);
             assert_eq!(of.first_free_piece(&[]), wanted, "{of:?}");
-            // Positions held by contact count like positions held by supports.
+            // A position held by contact gives the same constraint as a position held by a support.
             let bare = Mechanism { held: vec![], ..of.clone() };
             assert_eq!(bare.first_free_piece(&of.held), wanted, "{of:?}");
             assert_eq!(bare.point_held(&of.held), of.held.first().copied());
         }
     }
 
-    /// The test tries all lifts with r = 0 or r = −1 at each node. If two free lifts overlap, their common
-    /// nodes also lift alone. So the free groups are the smallest free lifts.
+    /// The test tries all rigid motions r in which each node stays at rest (r = 0) or rises by one (r = −1). If
+    /// two motions that satisfy the constraints lift common nodes, the motion that lifts only the common nodes
+    /// satisfies the constraints too. So the groups are the smallest sets of nodes whose lift satisfies the
+    /// constraints.
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {

@@ -1,4 +1,4 @@
-//! Computes the static reactions, which are the work of the loads in the hat functions of ends and free hinges, (4.25).
+//! Computes the static reactions of rigid pieces on supports at beam ends and free hinges, from the loads, (4.25) of the paper.
 
 use crate::model::{Action, Extent, Load, triangles};
 use crate::numeric::sum::Sum;
@@ -137,7 +137,8 @@ mod tests {
                     assert!((found.sum - wanted).abs() < 1e-14 * 32.0, "{load:?} {i}: {found:?}");
                 }
             }
-            // A force is divided between the two neighbouring nodes. So is its absolute value.
+            // The lever rule divides a force between the two neighbouring nodes. `size` is the absolute value
+            // of each node's share, so the sizes sum to the absolute force 3.
             let shared = static_reactions(&[Load::point_force(3.0, -3.0)], &nodes);
             assert_eq!(shared.iter().map(|found| found.size).sum::<f64>(), 3.0);
             // The reaction to all loads together is the sum of the reactions to each load.

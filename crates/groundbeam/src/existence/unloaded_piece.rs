@@ -1,4 +1,4 @@
-//! Decides the verdict for a beam with a piece that may lift without work, from the ground under the loaded nodes.
+//! Decides existence by the ground under the loaded nodes, if a piece of the beam can lift off without work of the loads.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -7,10 +7,11 @@ use crate::model::{Model, Support};
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// Returns the verdict for a beam with a piece that may lift without work. Such a piece can press on the ground
-/// only under a node that does not move. If no neighbouring piece can press on the ground at this node, the
-/// load of the node needs a concentrated contact force. Only a shear layer or a support that pushes up can
-/// carry this force. On Winkler ground the beam would sink and rotate without limit.
+/// Returns the verdict for a beam with a piece that can lift off without any work of the loads. By virtual
+/// work, such a piece does not press on the ground, except at a node that stays at rest. If all pieces beside a
+/// loaded node can lift off in this way, the load of the node needs a concentrated contact force. Only a shear
+/// layer or a support that pushes up can exert this force. Without them, the beam would sink and rotate without
+/// limit.
 pub(super) fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
@@ -107,8 +108,8 @@ mod tests {
         }
     }
 
-    /// A support that only pushes up carries a force over the support. Positions closer than 4 ε l count as
-    /// equal.
+    /// A support that only pushes up balances a force directly above it. Positions that differ by at most 4 ε l
+    /// count as equal, with the machine epsilon ε and the beam length l.
     #[test]
     fn a_force_over_a_node_needs_a_bearing_at_that_node() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
@@ -130,8 +131,8 @@ mod tests {
         }
     }
 
-    /// A loaded piece presses on the ground under it. This ground also carries a force over a node of the
-    /// piece.
+    /// A piece under a distributed load presses on the ground. The ground reaction under this piece can also
+    /// balance a point force at a node of the piece, so an equilibrium exists.
     #[test]
     fn a_loaded_piece_carries_the_node_beside_it() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
@@ -147,12 +148,13 @@ mod tests {
             let both = verdict(&[middle, Load::point_force(x, 1.0)]);
             assert!(matches!(both, Verdict::NotUnique(m) if m.lifted == Some([0.0; 2])), "{x}");
         }
-        // A force inside the middle piece presses this piece on the ground; a force over its end presses no
-        // piece.
+        // A force inside the middle piece presses this piece onto the ground, so an equilibrium exists. A force
+        // at an end of the middle piece presses no piece onto the ground, so no equilibrium exists.
         assert!(matches!(verdict(&[Load::point_force(2.0, 1.0)]), Verdict::NotUnique(_)));
         assert!(matches!(verdict(&[Load::point_force(1.0, 1.0)]), Verdict::None(_)));
         assert!(matches!(verdict(&[Load::point_force(3.0, 1.0)]), Verdict::None(_)));
-        // If a piece cannot rotate, all ground springs under the piece carry a force over its end.
+        // If the middle piece cannot rotate, all ground springs under this piece together balance a force at
+        // its end.
         let model = springs.with_support(Support::spring(2.0, 0.0, 1.0));
         let stiff = existence(&model.with_load(Load::point_force(1.0, 1.0))).verdict;
         assert!(matches!(stiff, Verdict::NotUnique(_)));

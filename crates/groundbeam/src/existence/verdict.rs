@@ -46,7 +46,7 @@ pub struct Buckling {
     /// Value r(0) of the buckling mode at the left end. The mode r is scaled to −1 (upward) at the position
     /// `at`.
     pub left: f64,
-    /// Value r(l) of the buckling mode at the right end, in the scale of r(0).
+    /// Value r(l) of the buckling mode r at the right end. The mode is scaled as for `left`.
     pub right: f64,
     /// Work F(r) of the loads in the buckling mode r \[N·m per m\].
     pub work: f64,
@@ -74,9 +74,10 @@ impl Verdict {
     }
 }
 
-/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled so that its largest absolute
-/// value is one. Since r ≤ 0, the motion presses nowhere on the ground. Only the rotation of a beam about a
-/// single contact point between its ends has r > 0 on one side.
+/// A rigid motion of the beam with the downward displacement r(x), which is linear between the free hinges. It
+/// is scaled so that the largest absolute value of r is one. The motion presses nowhere on the ground (r ≤ 0).
+/// The only exception is the rotation about a single contact point between the beam's ends, with r > 0 on one
+/// side of this point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
@@ -86,17 +87,17 @@ pub struct RigidMotion {
     /// Value r(l) of the motion at the right end. It is 0 or −1, or between 0 and 1 for the rotation about a
     /// contact point.
     pub right: f64,
-    /// F(r), the work of the loads in this motion \[N·m per m of lift\].
+    /// Work F(r) of the loads in the rigid motion r, per metre of its largest displacement \[N·m/m\].
     pub work: f64,
-    /// First and last position at which r = −1 \[m\], for a beam with free hinges. Both are ends of the beam or
-    /// free hinges. r is 0 at all other ends and free hinges and linear between them. `None` for a beam without
-    /// free hinges.
+    /// Positions \[m\] of the first and the last node that the motion lifts by one (r = −1). The nodes are the
+    /// beam's ends and its free hinges. All nodes between these two positions have r = −1 too, and all other
+    /// nodes have r = 0. `None` for a beam without free hinges.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub lifted: Option<[f64; 2]>,
 }
 
 impl RigidMotion {
-    /// Returns the value of r at a position on the beam of `model`.
+    /// Returns the displacement r of the motion, positive down, at the position `x` on the beam of `model`.
     ///
     /// ```
     /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
@@ -229,7 +230,8 @@ mod tests {
         let couple = existence(&beam().with_load(Load::point_moment(1.0, 2.0)));
         assert_eq!(couple.static_reactions, [-0.5, 0.5]);
         assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
-        // The resultant of two opposite forces is zero too, although the static reactions have rounding errors.
+        // The resultant of two opposite forces counts as zero, even if the static reactions have rounding
+        // errors.
         let beam = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0));
         let forces = [Load::point_force(0.1, 1.0), Load::point_force(0.3, -1.0)];
         let couple = existence(&Model { loads: forces.to_vec(), ..beam });

@@ -1,4 +1,4 @@
-//! The work of the loads in the extreme free rigid motions, from the static reactions.
+//! Computes, from the static reactions, the work of the loads in those rigid motions that generate all lifts of the beam.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -8,8 +8,8 @@ use crate::numeric::sum::Sum;
 use std::ops::Range;
 
 /// Returns the position \[m\] and the force, positive upward \[N\], of each static reaction. The static
-/// reactions are the forces of supports under the ends and the free hinges of a beam that is rigid between them
-/// and has no other supports.
+/// reactions are the support forces of a chain of rigid beams that is supported only at its two ends and at its
+/// free hinges.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, existence::static_reactions};
@@ -65,7 +65,8 @@ mod tests {
         let loaded =
             hinged.with_load(Load::point_force(3.5, 1.0)).with_load(Load::point_moment(1.0, -3.0));
         assert_eq!(static_reactions_of(&loaded), [(0.0, 1.5), (2.0, -1.25), (4.0, 0.75)]);
-        // Absolute values do not cancel. The force contributes 0.25 + 0.75, and the moment 3/2 + 3/2.
+        // The size is the sum of the absolute contributions of all loads to the static reactions. The force
+        // contributes 0.25 + 0.75, and the moment contributes 3/2 + 3/2.
         assert_eq!(size_of_loads(&loaded), 4.0);
         assert_eq!(size_of_loads(&loaded.with_load(Load::point_force(3.5, -1.0))), 5.0);
     }

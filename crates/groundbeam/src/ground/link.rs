@@ -37,8 +37,8 @@ impl<R: Real> TwoPort<R> {
         TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 
-    /// The two-port of a short stretch of length 2·`half` with varying k and μ, given by their coefficients
-    /// in s ∈ \[−1, 1\].
+    /// The two-port (the three equivalent springs) of a short stretch of ground of length 2·`half`. `spring` and
+    /// `shear` are the coefficients of k(s) and μ(s) in powers of s ∈ \[−1, 1\].
     pub fn varying(spring: &[R], shear: &[R], half: f64) -> Self {
         Pair::new(spring, shear, half).link(shear, half)
     }
@@ -88,8 +88,8 @@ pub(crate) fn settled<R: Real>(
     Pair::new(spring, shear, half).between(ends)
 }
 
-/// Two solutions of −(μu')' + ku = 0 as power series about the middle of a short stretch. Their first terms
-/// are 1 and s.
+/// Two solutions u(s) of −(μu')' + ku = 0 on a short stretch of ground, as power series in the coordinate s,
+/// which is 0 in the middle of the stretch and ±1 at its ends. The first terms of the series are 1 and s.
 struct Pair<R> {
     one: [R; SURFACE_TERMS],
     rising: [R; SURFACE_TERMS],
@@ -115,8 +115,9 @@ impl<R: Real> Pair<R> {
         Pair { one: solution([R::ONE, R::ZERO]), rising: solution([R::ZERO, R::ONE]) }
     }
 
-    /// Returns the amplitudes of the solutions `one` and `rising` for given end values of u, and the determinant
-    /// of the equations for these amplitudes. No digits cancel in the amplitudes.
+    /// Returns the amplitudes with which the solutions `one` and `rising` sum to a displacement u with the given
+    /// end values. Also returns the determinant of the equations for the amplitudes. The amplitudes are computed
+    /// without cancellation.
     fn amplitudes(&self, [left, right]: [R; 2]) -> ([R; 2], R) {
         let parts = |c: &[R; SURFACE_TERMS]| {
             let even: R = c.iter().copied().step_by(2).sum();
@@ -202,11 +203,11 @@ pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance:
     R::ZERO
 }
 
-/// Length of the pieces into which open ground is cut, in decay lengths. On such a piece a polynomial
-/// represents u to rounding error.
+/// Length of the pieces into which ground out of contact is divided, in decay lengths √(μ/k). On such a piece, a
+/// polynomial represents the ground displacement to rounding error.
 pub(crate) const PIECE: f64 = 2.0;
-/// Distance from an end of open ground, in decay lengths, at which u counts as zero. e⁻⁴⁰ is below rounding
-/// error.
+/// Distance from an end of ground out of contact, in decay lengths √(μ/k), at which the ground displacement
+/// counts as zero. e⁻⁴⁰ is below rounding error.
 const FAR: f64 = 40.0;
 
 /// Adds to `cuts` the positions at which open ground is cut near both ends, where its surface is curved.
@@ -220,16 +221,16 @@ pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
     cuts.extend([from + reach, to - reach]);
 }
 
-/// Returns u at a fraction `t` of an unloaded uniform stretch from its values at both ends. The argument
-/// `length` is the length bh in decay lengths.
+/// Returns the ground displacement at a fraction `t` of an unloaded uniform stretch from its values at both
+/// ends. The argument `length` is the length of the stretch divided by the decay length √(μ/k).
 pub(crate) fn between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     sinh_ratio(length, 1.0 - t) * left + sinh_ratio(length, t) * right
 }
 
 /// Returns u'/b with b = √(k/μ) at a fraction `t` of an unloaded uniform stretch of the length bh = `length`.
 pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
-    // The closed form is (right·cosh(t·bh) − left·cosh((1 − t)·bh))/sinh(bh), with the end values `left` and
-    // `right` of u. The formula for short lengths has no cancellation if the end values are equal.
+    // The slope u'/b is (right·cosh(t·z) − left·cosh((1 − t)·z))/sinh z, with z = `length` and the end values
+    // `left` and `right` of u. The formula for z < 1 has no cancellation if the end values are equal.
     let series = exp(-length) * 2.0 / -expm1(length * -2.0);
     let cosh_less_one = |z: R| power(sinh(z * 0.5), 2) * 2.0;
     if length.value() < 1.0 {
@@ -283,8 +284,8 @@ mod tests {
 
     #[test]
     fn ground_whose_solution_is_a_power_of_x() {
-        // For μ = x² and k = 6, the equation −(x²u')' + 6u = 0 has the solutions x² and x⁻³. The stretch has
-        // its middle at x = 5 and half the length ½.
+        // For μ = x² and k = 6, the equation −(x²u')' + 6u = 0 has the solutions x² and x⁻³. The middle of the
+        // stretch is at x = 5, and its half-length is ½.
         let (middle, half) = (5.0, 0.5);
         let shear = [middle * middle, 2.0 * middle * half, half * half];
         let ends = [4.5_f64, 5.5];
@@ -316,7 +317,8 @@ mod tests {
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
         near(spring(&[layer(h, k, mu)], false), stiffness * tanh(bh));
         near(spring(&[layer(h, k, mu)], true), stiffness / tanh(bh));
-        // Dividing the ground into two layers does not change its stiffness.
+        // Dividing the ground outside the beam into two stretches with equal k and μ does not change its
+        // stiffness.
         let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
         near(spring(&cut, false), stiffness);
         let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];

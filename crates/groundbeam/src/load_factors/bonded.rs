@@ -21,8 +21,8 @@ pub(super) fn bonded_everywhere(
 }
 
 /// Returns the pressures and concentrated forces along the whole beam, from left to right, for two deflections
-/// of one model under different loads. The cells of the two deflections may differ, because boundary layers are
-/// cut separately.
+/// of one model under different loads. The cells of the two deflections may differ, because each mesh is
+/// refined in its own boundary layers.
 pub(super) fn lift_off_candidates(
     staying: &ContactState,
     growing: &ContactState,
@@ -74,10 +74,10 @@ fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     Side { coefficients, size }
 }
 
-/// Returns the ends s = ∓1 of a part of a cell at which the pressure is zero for all loads, with the order of
-/// this root. Such an end is at a support that fixes the beam at the undeformed surface of Winkler ground. The
-/// slope of the pressure decides the first lift-off near a pin. The curvature of the pressure decides it near a
-/// clamp.
+/// Returns the ends s = ∓1 of a part of a cell at which the pressure is zero for all loads, and the
+/// multiplicity of each of these zeros. Such an end is at a support that fixes the beam at the undeformed
+/// surface of Winkler ground. Near a pinned support, the slope of the pressure decides the first lift-off. Near
+/// a clamped support, the curvature of the pressure decides the first lift-off.
 fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
     if cell.shear_layer > 0.0 {
         return Vec::new();
@@ -119,13 +119,14 @@ fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidat
         let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
         all.iter().find(|(at, _)| *at == x).map_or(nothing, |(_, side)| side.clone())
     };
-    // The gap belongs to the constant loads, so only the deflection under the constant loads has forces at
-    // corners of the gap.
+    // The initial gap belongs to the constant loads, so its corners cause contact forces only under the
+    // constant loads.
     let all = stays.iter().map(|(x, side)| {
         let growing = find(&grows, *x);
         LiftOffCandidate { x: [*x; 2], staying: side.clone(), growing }
     });
-    // On a beam with shear deformation, increasing forces cause kinks.
+    // On a beam with shear deformation, each point force among the increasing loads causes a kink of the
+    // deflection and therefore a contact force.
     let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
     let kinks = kinks.map(|(x, side)| {
         let staying = find(&stays, *x);
@@ -195,8 +196,9 @@ mod tests {
     }
 
     /// For w = 1 + x + x² on ground with k = 3 and μ = 5, the pressure is p = 3w − 10. From x = 1 to x = 4, the
-    /// deflection is w = 9.75 + 9 s + 2.25 s². The sum of the absolute values of the terms is
-    /// 3 (9.75 + 9 + 2.25) + 5/1.5² · 2 · 2.25, plus the terms of the gap and of the load on the ground.
+    /// deflection is w = 9.75 + 9 s + 2.25 s² with s = (x − 2.5)/1.5. The sum of the absolute values of the
+    /// terms of p is 3 (9.75 + 9 + 2.25) + 5/1.5² · 2 · 2.25. The gap adds 3 times its largest absolute value,
+    /// and a load on the ground adds its largest absolute value.
     #[test]
     fn the_pressure_on_a_part_of_a_cell_and_its_size() {
         let model = on(Foundation::pasternak(3.0, 5.0));
@@ -214,8 +216,8 @@ mod tests {
         near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
     }
 
-    /// The two deflections have nodes at different positions. On Winkler ground, the pressure is p = k w on
-    /// each part between two neighbouring nodes of either deflection.
+    /// The two deflections have nodes at different positions. The nodes of both deflections together divide the
+    /// beam into parts. On Winkler ground, the pressure is p = k w on each part.
     #[test]
     fn two_meshes_are_merged_at_all_of_their_nodes() {
         let model = on(Foundation::winkler(2.0));
@@ -227,7 +229,7 @@ mod tests {
                 for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
                     let [stays, grows] =
                         [2.0 * (1.0 + 2.0 * x + 3.0 * x * x), 2.0 * (0.5 * x - 1.0)];
-                    // A merged position may differ from the node by 16 machine epsilons times the length.
+                    // A merged position may differ from the node by 16 machine epsilons times the beam length.
                     assert!((value(&staying.coefficients, s) - stays).abs() < 1e-11);
                     assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
                 }
@@ -239,7 +241,8 @@ mod tests {
         assert_eq!(merged(&[2.0, 3.0], &[1.0, 3.0]), wanted);
         assert_eq!(merged(&[1.0, 2.0, 3.0], &[]), wanted);
         assert_eq!(merged(&[], &[1.0, 2.0, 3.0]), wanted);
-        // Positions closer than 16 machine epsilons times the length count as equal.
+        // Positions that differ by less than 16 machine epsilons times the beam length 4 count as equal. `unit`
+        // is one machine epsilon times this length.
         let unit = 4.0 * f64::EPSILON;
         assert_eq!(merged(&[1.0], &[1.0 + 15.0 * unit]), [[0.0, 1.0], [1.0, 4.0]]);
         assert_eq!(merged(&[1.0 + 15.0 * unit], &[1.0]).len(), 2);
@@ -291,7 +294,7 @@ mod tests {
     /// half the length of the beam.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
-        // The deflection is w = 3 + x = 5 + 2 s.
+        // The deflection is w = 3 + x, or w = 5 + 2 s with s = (x − 2)/2.
         let of = found(&on(Foundation::pasternak(4.0, 9.0)), &[], &[3.0, 1.0]);
         let [(a, left), (b, right)] = &forces_of(&of)[..] else { panic!("two ends") };
         assert_eq!((*a, *b), (0.0, 4.0));
@@ -303,9 +306,9 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// The deflection under the constant loads has a force at a corner of the gap. The deflection under the
-    /// increasing loads has none. The test also exchanges the two deflections. At the corner g₀′ jumps from 0
-    /// to 1, so the force at the corner is μ.
+    /// The model of the first deflection has a gap whose slope jumps from 0 to 1 at x = 2, so a contact force μ
+    /// acts at x = 2. The model of the second deflection has no gap and no force at x = 2. The test also
+    /// exchanges the two deflections.
     #[test]
     fn forces_of_one_of_two_deflections() {
         let even = on(Foundation::pasternak(4.0, 9.0));
@@ -317,7 +320,8 @@ mod tests {
             let of = |side: &Side| side.coefficients[0];
             all.iter().map(|at| (at.x, of(&at.staying), of(&at.growing))).collect::<Vec<_>>()
         };
-        // Under the right end, w − g₀ is −1 and has the slope −1.
+        // At the right end, the deflection minus the gap is 1 − 2 = −1 and has the slope −1, so the force is
+        // √(kμ) (−1) + μ (−1).
         let [left, middle, right] = [6.0, 9.0, -6.0 - 9.0];
         let wanted = [([0.0; 2], left, 6.0), ([2.0; 2], middle, 0.0), ([4.0; 2], right, 6.0)];
         assert_eq!(both(&corner, &even), wanted);

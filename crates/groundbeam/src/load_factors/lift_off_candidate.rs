@@ -54,7 +54,8 @@ impl LiftOffCandidate {
         found
     }
 
-    /// Whether a factor is so small that the increasing loads change the candidate only by rounding error.
+    /// Whether a load factor is so small that the increasing loads, multiplied by it, change the pressure or
+    /// force of this candidate only by rounding error.
     pub fn is_nothing(&self, factor: f64) -> bool {
         factor * self.growing.size <= SUM_ROUNDING * self.staying.size
     }
@@ -125,7 +126,8 @@ mod tests {
         let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
         near(s, -0.5);
         near(least, -0.0625);
-        // The polynomial 3 + s − s² has the positive lower bound 3 − 1 − 1, so its minimum is not computed.
+        // On [−1, 1] the polynomial 3 + s − s² has the lower bound 3 − 1 − 1 = 1. This bound is not negative, so
+        // it is returned in place of the minimum, with the position s = −1.
         assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
         assert_eq!(lowest(&[]), (-1.0, 0.0));
     }
@@ -152,14 +154,15 @@ mod tests {
         // part and its increasing part are compressive.
         assert_eq!(falling.first_tension_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_tension_below(f64::INFINITY), None);
-        // The pressure −1 + 2λ is negative at every factor below λ = 1/2.
+        // The pressure −1 + 2λ is negative at every factor λ below 1/2, so no factor below 0.25 is free of
+        // tension.
         assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_tension_below(0.25), None);
         // If the constant part and the increasing part of the pressure are tensile, the factor is 0.
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
 
-    /// A pressure is tensile if it is below −256 ε times the sum of the absolute values of its terms. The terms
-    /// are the constant terms and λ times the increasing terms.
+    /// A pressure is tensile if it is below −256 ε times the sum of the absolute values of its terms, with the
+    /// machine epsilon ε. The terms are those of the constant loads, and λ times those of the increasing loads.
     #[test]
     fn tension_exceeds_rounding_error() {
         let constant = |part: f64| {
@@ -175,8 +178,8 @@ mod tests {
         };
         assert_eq!(grows(2.9).tension_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).tension_at(f64::INFINITY), Some(-1.0));
-        // The sum of the absolute values is 2 for the constant terms and 3 for the increasing terms. So a factor
-        // λ counts as zero if 3λ is at most 256 ε times 2.
+        // The absolute values of the terms sum to 2 for the constant loads and to 3 for the increasing loads. So
+        // a factor λ counts as zero if 3λ is at most 256 ε · 2, with the machine epsilon ε.
         assert!(constant(0.0).is_nothing(SUM_ROUNDING * 0.66));
         assert!(!constant(0.0).is_nothing(SUM_ROUNDING * 0.67));
         // A pressure of zero is not tensile.

@@ -1,7 +1,7 @@
 //! Computes the load factors of the first lift-off and of the loss of equilibrium.
 //!
-//! The loads D are constant, and the loads λG increase with the factor λ. Both load factors follow in closed
-//! form.
+//! The loads D are constant, and the loads λG increase with the factor λ. Neither load factor requires solutions
+//! at trial values of λ.
 //!
 //! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
 //!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). The beam is in full contact if and
@@ -97,7 +97,7 @@ fn factors(
     let exact = Options { method: Method::Exact, ..options.clone() };
     size::check(model, &exact)?;
     let parts = Parts::of(model, grows);
-    // A model with only a part of the loads may have more elements than the whole model.
+    // With only its constant or only its increasing loads, a model may need more elements than with all loads.
     for part in [parts.staying(), parts.growing()] {
         size::check(&part, &exact)?;
     }
@@ -198,7 +198,8 @@ mod tests {
         near(loss(springs), 1.0, 1e-15);
         let layer = last(&footing(Foundation::pasternak(1.0, 1.0)));
         near(lift_off(layer).0, 2.0 * (0.5 - 4.0 / 27.0), 1e-8);
-        // A flexible beam concentrates the pressure under its force and lifts off earlier.
+        // The more flexible the beam, the more the pressure concentrates under the force, and the smaller the
+        // load factor of first lift-off.
         let mut before = 0.0;
         for stiffness in [1e-2, 1e-1, 1.0, 10.0] {
             let mut model = footing(Foundation::winkler(1.0));
@@ -299,8 +300,8 @@ mod tests {
         assert_eq!((motion.left, motion.right), (-1.0, 0.0));
         near(motion.work, 0.1, 1e-14);
         assert_eq!(found.first_lift_off, FirstLiftOff::AtOnce);
-        // Tension resists rotation, so an equilibrium exists for every moment. Under a larger moment the beam
-        // is in contact on part of its length.
+        // The tension force resists rotation, so an equilibrium exists for every moment. If the moment exceeds
+        // the moment of first lift-off, only a part of the beam is in contact.
         let mut tied = held;
         tied.beam.axial_force = 2.0;
         assert_eq!(last(&tied).loss_of_equilibrium, LossOfEquilibrium::Never);

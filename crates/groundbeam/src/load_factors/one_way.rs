@@ -28,9 +28,9 @@ use crate::solution::certificate::Certificate;
 /// beginning of a range.
 const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
-/// Relative tolerance below which a force or a clearance is zero. A force is relative to the sum of all
-/// reactions and loads, a clearance to the largest deflection. The tolerance is the accuracy of the factor at
-/// which a range begins.
+/// Relative tolerance below which a force or a clearance counts as zero. Forces are compared with the sum of all
+/// reactions and loads, clearances with the largest deflection. The load factor at the start of a range has
+/// about this relative accuracy.
 const ZERO_FORCE: f64 = 1e-11;
 
 /// At the factor of the loss of equilibrium no certificate exists, because nothing supports the beam. The fields
@@ -39,12 +39,14 @@ const BEFORE_LOSS: f64 = 1.0 - 1e-6;
 
 /// A range of factors with the same active supports.
 struct FactorRange {
-    /// Deflection at the first factor of the range, and increase of the deflection per unit of the factor, on
-    /// the active supports.
+    /// Deflection of the beam on its active supports at the smallest load factor of the range.
     staying: ContactState,
+    /// Increase of the deflection of the beam on its active supports, per unit of the load factor.
     growing: ContactState,
-    /// The length of the range of factors, and the support whose condition fails at its end.
+    /// Length of the range of load factors.
     growth: f64,
+    /// Index of the support whose force or clearance becomes zero at the largest load factor of the range;
+    /// `None` if the range is unbounded.
     ends: Option<usize>,
 }
 
@@ -90,8 +92,9 @@ pub(crate) fn first_lift_off(
 }
 
 impl FactorRange {
-    /// Returns the range that begins at a factor. The search starts from the active supports of the previous
-    /// range. The margin of the support `ended` counts as zero in spite of its rounding error.
+    /// Returns the range that begins at a load factor. The search starts from the active supports of the
+    /// previous range. `ended` is the support whose force or clearance became zero at the end of the previous
+    /// range; this force or clearance counts as zero in spite of its rounding error.
     fn beginning(
         parts: &Parts,
         factor: f64,
@@ -256,8 +259,9 @@ mod tests {
         }
     }
 
-    /// The hold-down allows the left end to rise to the depth δ. Then the hold-down restrains this end, and
-    /// only the bearing under the right end carries the increase of the force.
+    /// An increasing force at the right end raises the left end and lowers the right end. If the left end meets
+    /// a hold-down, the hold-down restrains it. If the right end meets a bearing, the bearing carries the whole
+    /// further increase of the force.
     #[test]
     fn a_support_that_the_beam_meets_may_prevent_lift_off() {
         for supports in [
@@ -271,8 +275,9 @@ mod tests {
         }
     }
 
-    /// A support that touches the beam initially carries no force at factor 0. The rate decides whether the
-    /// beam presses on the support or leaves it.
+    /// A support that the beam just touches at the load factor 0 carries no force at this factor. The derivative
+    /// of its force or clearance with respect to the load factor decides whether the beam presses on the support
+    /// or leaves it.
     #[test]
     fn a_support_that_just_touches_acts_by_its_rate() {
         let free = lift_off(1e3, &[]);
@@ -285,15 +290,17 @@ mod tests {
         }
     }
 
-    /// The deflection at the middle is w = 0.6 + F/(kl). The beam meets a bearing under the middle at depth δ at
-    /// F = kδl − ql. Then the beam rotates about the bearing by 6F/(kl²), and the left end lifts off at
-    /// F = kδl/3.
+    /// A rigid beam of length l on Winkler ground k carries the load q and a force F at the right end. The
+    /// deflection at the middle is q/k + F/(kl), with q/k = 0.6. At F = kδl − ql the beam meets a bearing under
+    /// the middle at the depth δ. From then on the rotation of the beam is 6F/(kl²), and the left end lifts off
+    /// at F = kδl/3.
     #[test]
     fn a_support_that_the_beam_meets_may_cause_earlier_lift_off() {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
-            // The beam leaves the bearing under the left end at F = (0.6 − 0.58) kl/2, before it meets the
+            // The load q alone would press the beam down by 0.6, so a bearing under the left end at the depth
+            // 0.58 carries a force. The beam leaves this bearing at F = (0.6 − 0.58) kl/2, before it meets the
             // bearing under the middle.
             leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
             leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
@@ -302,7 +309,7 @@ mod tests {
         leaves_the_left_end(lift_off(RIGID, &[bearing(0.5 * LENGTH, 0.91)]), 0.5 * WEIGHT);
     }
 
-    /// The supports lift off a part of the beam at factor 0.
+    /// The supports lift a part of the beam off the ground, even at the load factor 0.
     #[test]
     fn a_bearing_above_the_ground_lifts_the_beam_off_at_once() {
         assert_eq!(lift_off(RIGID, &[bearing(0.0, -0.1)]), FirstLiftOff::AtOnce);
@@ -310,9 +317,9 @@ mod tests {
         assert_eq!(lift_off(RIGID, &[hold_down(0.0, 2.0)]), FirstLiftOff::AtOnce);
     }
 
-    /// The bearing under the left end is at depth δ = 0.4. By the moments about the bearing, its force is
-    /// (q − kδ) l/4 = 1/2. The right end is at the depth δ + 3(q − kδ)/(2k) = 0.7, so a hold-down at the depth
-    /// 0.5 has a clearance of 0.2.
+    /// A rigid beam of length l on Winkler ground k carries the load q. Under its left end is a bearing at the
+    /// depth δ = 0.4. By equilibrium, the bearing force is (q − kδ) l/4 = 1/2, and the right end is at the depth
+    /// δ + 3(q − kδ)/(2k) = 0.7. So a hold-down of the right end at the depth 0.5 has a clearance of 0.2.
     #[test]
     fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)
@@ -339,7 +346,8 @@ mod tests {
         assert_eq!(each(&|i| margins.is_negative(i)), [true, false, false, false, false, false]);
     }
 
-    /// The certificate at a factor holds if the pressure is not tensile. It fails if the pressure is tensile.
+    /// The certificate for a load factor is accepted if the contact pressure is nowhere tensile, and rejected
+    /// otherwise.
     #[test]
     fn a_factor_that_is_too_large_is_refused() {
         let model = weighted(RIGID)

@@ -27,9 +27,9 @@ pub enum FirstLiftOff {
     Never,
 }
 
-/// A model whose loads are split into constant and increasing loads. The models with only the constant loads or
-/// only the increasing loads have all positions of the whole model, and therefore the same cells. The gap and
-/// the settlements of supports belong to the constant loads.
+/// A model whose loads are split into constant and increasing loads. The gap and the settlements of supports
+/// belong to the constant loads. A model with only the constant or only the increasing loads keeps the positions
+/// of all loads as nodes of its mesh.
 pub(crate) struct Parts<'a> {
     pub model: &'a Model,
     pub grows: Vec<bool>,
@@ -88,9 +88,9 @@ impl<'a> Parts<'a> {
                     LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
             }
         }
-        // If the loads do no work in a motion at any factor, the existence of an equilibrium depends on the
-        // concentrated contact forces that a shear layer or a support can carry. The check is made at one factor
-        // below the first root.
+        // If neither the constant nor the increasing loads do work in some rigid motion, existence depends on
+        // the concentrated contact forces that a shear layer or a support can exert. This is checked at one load
+        // factor below the smallest factor at which the work in another rigid motion becomes positive.
         let within = if least.is_finite() { 0.5 * least } else { 1.0 };
         match existence(&self.at(within)).verdict {
             Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
@@ -110,8 +110,8 @@ pub enum LossOfEquilibrium {
     At {
         /// The load factor λ > 0.
         factor: f64,
-        /// The motion in which the loads do positive work beyond the factor. At the factor itself their work
-        /// is zero.
+        /// The rigid motion in which the loads do positive work if the load factor exceeds `factor`. At `factor`
+        /// itself, their work in this motion is zero.
         motion: RigidMotion,
     },
     /// An equilibrium exists for every factor.

@@ -339,8 +339,8 @@ impl Cell {
         self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
     }
 
-    /// Returns the cell in dual numbers. Each cell in `by` contains derivatives in place of data; `None` means
-    /// that all derivatives are zero.
+    /// Converts the data of the cell to dual numbers with derivatives with respect to N parameters. Entry i of `by`
+    /// contains the derivatives with respect to parameter i; `None` means that all of them are zero.
     pub fn lifted<const N: usize>(&self, by: [Option<&Cell>; N]) -> Cell<Dual<N>> {
         let dual = |number: &dyn Fn(&Cell) -> f64| Dual {
             value: number(self),
@@ -372,7 +372,7 @@ impl Cell {
         }
     }
 
-    /// Multiplies EI and S by a factor.
+    /// Multiplies the bending stiffness EI and the shear stiffness S of the beam by a factor.
     pub fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.varies.stiffness = self.varies.stiffness.map(|c| c * times);

@@ -51,8 +51,8 @@ impl<R: Real> Deflection<'_, R> {
         let cell = &self.mesh.cells[point.cell];
         let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
         let [settled, sinks] = cell.free_field_at(point.s);
-        // The free-field settlement u₀ satisfies ku₀ − (μu₀′)′ = q, so the load q on the ground is subtracted in
-        // place of terms with u₀.
+        // The terms of the pressure with the free-field settlement u₀ are −ku₀ + (μu₀′)′. They sum to −q, so the load
+        // q on the ground is subtracted in place of these terms.
         let psi = f - initial_gap_at(cell, point.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;

@@ -97,8 +97,8 @@ pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     }
 }
 
-/// Computes the work of all loads on the ground in the free-field settlement. Subtracts the work that the loads
-/// outside the beam would do if the settlement were zero at the beam's ends.
+/// Returns the work that all loads on the ground do through the free-field settlement, minus the work that the loads
+/// outside the beam would do if the settlement were fixed to zero at the beam's ends.
 pub(crate) fn work_of_loads<R: Real>(line: &Line<R>, cells: &[Cell<R>]) -> R {
     let [(mut strips, held_left), (right, held_right)] =
         [false, true].map(|right| beside(line, right));
@@ -126,8 +126,9 @@ fn work<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> R {
         if strip.load == [R::ZERO; 2] {
             continue;
         }
-        // On each strip, the settlement is q/k + e, with the load q and the homogeneous part e. The work of q in q/k
-        // is ∫q²/k. The work of q in e equals the work of the equivalent end forces in e.
+        // On each strip, the settlement is q/k + e, with the load q and the homogeneous part e. The load q does the
+        // work ∫q²/k through the settlement q/k. Its work through e equals the work of the equivalent end forces
+        // through e.
         let length = strip.x[1] - strip.x[0];
         work += (a * a + a * b + b * b) * (length / 3.0) / strip.spring;
         if strip.shear.value() > 0.0 {
@@ -283,8 +284,8 @@ fn same_node(at: f64, length: f64) -> f64 {
 /// Computes the free-field settlement at the nodes of consecutive strips that have a shear layer.
 fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R> {
     let n = strips.len();
-    // `own` is the shunt stiffness at each node, `series` the stiffness to the next node, and `force` the force at
-    // each node.
+    // `own` is the stiffness of the spring from each node to the fixed base, `series` the stiffness of the spring
+    // from each node to the next node, and `force` the force on each node.
     let (mut own, mut series, mut force) =
         (vec![R::ZERO; n + 1], vec![R::ZERO; n], vec![R::ZERO; n + 1]);
     for (i, strip) in strips.iter().enumerate() {

@@ -10,12 +10,14 @@ pub(crate) struct GroundRun<R = f64> {
     pub cells: Range<usize>,
     /// Whether μ > 0.
     pub pasternak: bool,
-    /// Stiffness of the ground beyond the left and the right end of the run \[N/m\]. At an end of the beam it is the
-    /// stiffness of the ground outside the beam. Under the beam it is 0, because the shear layer ends there.
+    /// Stiffness of the ground beyond the left and the right end of the run \[N/m\]. At an end of the beam, this is
+    /// the stiffness of the ground outside the beam. Between two runs under the beam it is 0, because runs with and
+    /// without a shear layer are not coupled.
     pub beyond: [R; 2],
 }
 
-/// Returns the runs of a mesh, from left to right.
+/// Divides the cells of a mesh into runs that either all have a shear layer or all have none. Returns the runs from
+/// left to right.
 pub(crate) fn ground_runs<R: Real>(mesh: &Mesh<R>) -> Vec<GroundRun<R>> {
     let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
     let n = mesh.cells.len();

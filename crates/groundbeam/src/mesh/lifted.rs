@@ -1,7 +1,7 @@
-//! Mesh in dual numbers, from a model and the derivatives of the model's data.
+//! Builds a mesh of dual numbers (values with derivatives) from a model and the derivatives of the model data.
 //!
-//! All data of cells and nodes are linear in the data of the model. So their derivatives are the data of a mesh that
-//! is built from the derivatives of the model's data.
+//! All quantities of cells and nodes are linear in the quantities of the model. So their derivatives are the
+//! quantities of a second mesh, which is built from the derivatives of the model.
 
 use crate::ground::link;
 use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
@@ -17,7 +17,8 @@ pub(crate) struct Rates<'a> {
     /// One model for each parameter. Its positions are those of `model`, and its data are the derivatives of the data
     /// of `model` with respect to the parameter.
     pub by: &'a [&'a Model],
-    /// Range of the beam \[m\] outside which the derivatives of beam, ground, gap and distributed loads are zero.
+    /// Range of the beam \[m\] outside which no parameter changes the stiffness of beam or ground, the gap or the
+    /// distributed loads.
     pub reach: [f64; 2],
 }
 
@@ -70,8 +71,9 @@ impl Mesh {
         }
     }
 
-    /// Replaces the derivatives in the mesh `into`. Before the call, only the cells in `varied` have nonzero
-    /// derivatives. Returns the cells whose derivatives may be nonzero after the call.
+    /// Replaces the derivatives in the mesh `into` by those with respect to the parameters of `rates`. Before the
+    /// call, only the cells in `varied` have nonzero derivatives. Returns the cells whose derivatives may be nonzero
+    /// after the call.
     pub fn vary<const N: usize>(
         &self,
         rates: &Rates,

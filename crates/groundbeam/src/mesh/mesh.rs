@@ -79,9 +79,9 @@ impl Mesh {
         Self::cut(model, more, |cell, x| graded(cell, axial, &cut, x))
     }
 
-    /// Halves the cells between the required nodes as [`Self::graded`] does, and calls `each` for every resulting
+    /// Halves the intervals between the required nodes as [`Self::graded`] does, and calls `each` for every resulting
     /// cell. The second argument of `each` is the number of parts that the free-field settlement needs in the
-    /// interval. Returns the number of intervals between the required nodes.
+    /// interval that contains the cell. Returns the number of intervals.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         let axial = model.beam.axial_force;
@@ -240,7 +240,8 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let near = same_place(l);
     places.dedup_by(|next, last| {
         let same = next.0 - last.0 <= near;
-        // If two positions are nearly equal, the position of the model is kept.
+        // If a position that the model requires and a position from `more` are nearly equal, the required position is
+        // kept.
         if same && next.1 && !last.1 {
             *last = *next;
         }

@@ -1,4 +1,4 @@
-//! The discrete problem, (3.8) and (3.9): cells, nodes, the free field, deflections and their energies.
+//! The discrete problem, (3.8) and (3.9) of the paper: cells, nodes, free-field settlement, and deflections with their energy.
 
 pub(crate) mod cell;
 pub(crate) mod deflection;

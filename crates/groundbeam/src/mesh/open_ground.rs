@@ -8,8 +8,9 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
 use crate::numeric::real::Real;
 
-/// Computes u at the junctions of two-ports in series from the values of u at both ends of the series. Also returns
-/// the equivalent two-port of the series.
+/// Computes the ground displacement u at the junctions of stretches of ground out of contact, from u at both ends of
+/// the series of stretches. Each stretch is given by its three equivalent springs, a [`TwoPort`]. Also returns the
+/// equivalent two-port of the whole series.
 ///
 /// The forward pass computes the equivalent two-port from the start to each junction. The backward pass computes u at
 /// each junction from this equivalent two-port and from the next two-port. Both passes add only positive stiffnesses.

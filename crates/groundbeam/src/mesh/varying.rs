@@ -9,8 +9,9 @@ use crate::numeric::real::Real;
 /// Maximum number of halvings of a stretch of ground when its two-port is computed.
 const MOST_HALVINGS: u32 = 40;
 
-/// Two-port of ground out of contact in a part of a cell. It is computed as a series of stretches in which a short
-/// power series represents the ground displacement.
+/// Computes the equivalent springs, a [`TwoPort`], of the ground out of contact in a part of a cell. The part is
+/// divided into stretches in which a power series with few terms represents the ground displacement. The two-ports of
+/// the stretches are connected in series.
 pub(crate) fn link<R: Real>(cell: &Cell<R>, part: [f64; 2]) -> TwoPort<R> {
     // The local coordinates of the part give its length more accurately than the rounded positions of its ends.
     let half = 0.25 * (part[1] - part[0]) * cell.length();

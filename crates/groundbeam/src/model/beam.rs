@@ -1,4 +1,4 @@
-//! Beam with bending stiffness EI(x) and shear stiffness given by segments, (4.1), under a constant axial force P, (2.1).
+//! Beam with bending and shear stiffness given by segments, under a constant axial force; (2.1) and (4.1) of the paper.
 
 use super::profile::{CellPolynomial, Profile};
 
@@ -140,8 +140,8 @@ impl Beam {
         self
     }
 
-    /// Upper bound of the bending stiffness \[N·m²\] along the beam, which is the largest control value of its
-    /// profiles.
+    /// Upper bound of the bending stiffness \[N·m²\] along the beam: the largest control value (Bernstein
+    /// coefficient) of its profiles.
     pub(crate) fn stiffest(&self) -> f64 {
         let segments = self.segments.iter().map(|s| s.bending_stiffness.largest());
         segments.fold(self.bending_stiffness, f64::max)

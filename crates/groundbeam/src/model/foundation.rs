@@ -1,4 +1,4 @@
-//! Ground on the whole line, with k(x) and μ(x) by segments, (2.2) and Remark 2.
+//! Ground along the whole line, with k(x) and μ(x) defined segment by segment, as in (2.2) and Remark 2 of the paper.
 
 use super::beam::Beam;
 use super::profile::{CellPolynomial, Profile};
@@ -40,8 +40,8 @@ pub struct FoundationSegment {
 }
 
 impl Foundation {
-    /// Maximum number of control values of k and of μ on a segment. Three values describe the product of a linear
-    /// modulus and a linear width.
+    /// Maximum number of control values (Bernstein coefficients) of k and of μ on a segment. Three values describe
+    /// the product of a modulus and a width that both vary linearly.
     pub const MOST_CONTROL_VALUES: usize = 3;
 
     /// Creates uniform ground with a shear layer.

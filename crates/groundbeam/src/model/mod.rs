@@ -1,7 +1,7 @@
-//! Model of a beam on ground: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
+//! Model of a beam on ground: beam, foundation, loads, supports, hinges, gap (section 2, Remark 1 and Remark 2 of the paper).
 //!
-//! All numbers are in one coherent system of units. This is m, N, rad and their products, or any other system with
-//! force = stiffness × length. This module does not convert units.
+//! All numbers of a model must belong to one coherent system of units: m, N, rad and derived units, or any other
+//! system in which force = stiffness × length. This module does not convert units.
 
 mod beam;
 mod foundation;

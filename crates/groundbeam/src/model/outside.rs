@@ -1,4 +1,4 @@
-//! Ground outside the beam, as stretches with constant k and μ up to the end of the ground, from the foundation.
+//! Divides the ground outside the beam into stretches with constant k and μ, from the segments and the ends of the foundation.
 
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;
@@ -21,7 +21,8 @@ pub(crate) struct OutsideLayer<R = f64> {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct GroundOutside<R = f64> {
     pub layers: Vec<OutsideLayer<R>>,
-    /// Whether u = 0 is prescribed at the far end of the last stretch. Otherwise the far end is free.
+    /// Whether the ground displacement is fixed to zero at the outer end of the ground, as by a wall. Otherwise this
+    /// end is free.
     pub held: bool,
 }
 
@@ -59,7 +60,8 @@ impl Foundation {
         for (i, segment) in self.segments.iter().enumerate() {
             let (near, far) =
                 if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
-            // A segment that begins under the beam is skipped, because the first stretch already has its k and μ.
+            // A segment that begins under the beam is skipped, because the first stretch outside the beam already has
+            // the k and μ of this segment.
             if outward(near) >= 0.0 && outward(far) > 0.0 {
                 let [spring, shear] = own(i);
                 stretches.push((outward(near), spring, shear));

@@ -1,4 +1,4 @@
-//! Part of a model, which is the beam between two positions on the unchanged ground.
+//! Cuts a part out of a model: the beam between two positions, on the unchanged ground of the whole model.
 
 use super::foundation::GroundEnd;
 use super::{Extent, FoundationSegment, GapPoint, Hinge, Load, Model, Support};

@@ -24,7 +24,8 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Maximum number of control values. Six values describe E b d³/12 with linear modulus E, width b and depth d.
+    /// Maximum number of control values (Bernstein coefficients). Six values describe a polynomial of degree 5, such
+    /// as E b d³/12 with linear modulus E, width b and depth d.
     pub const MOST: usize = 6;
 
     /// Creates a constant profile.
@@ -39,7 +40,8 @@ impl Profile {
         Self::of(&[start, end])
     }
 
-    /// Creates a profile from 1 to [`Self::MOST`] control values. Returns `None` for any other number of values.
+    /// Creates a profile from its control values (Bernstein coefficients). Returns `None` if `values` is empty or has
+    /// more than [`Self::MOST`] entries.
     pub fn by_control_values(values: &[f64]) -> Option<Self> {
         (1..=Self::MOST).contains(&values.len()).then(|| Self::of(values))
     }
@@ -53,7 +55,8 @@ impl Profile {
         Profile { values, count: given.len() }
     }
 
-    /// Control values of the quantity. A constant quantity has one control value.
+    /// Control values (Bernstein coefficients) of the quantity along the segment. A constant quantity has one control
+    /// value.
     pub fn control_values(&self) -> &[f64] {
         &self.values[..self.count]
     }
@@ -73,12 +76,12 @@ impl Profile {
         self.values[self.count - 1]
     }
 
-    /// Smallest control value, which is a lower bound of the quantity.
+    /// Smallest control value (Bernstein coefficient), which is a lower bound of the quantity along the segment.
     pub fn smallest(&self) -> f64 {
         self.control_values().iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// Largest control value, which is an upper bound of the quantity.
+    /// Largest control value (Bernstein coefficient), which is an upper bound of the quantity along the segment.
     pub fn largest(&self) -> f64 {
         self.control_values().iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
@@ -88,7 +91,8 @@ impl Profile {
         self.blossom(&[[1.0 - t, t]; Self::MOST - 1])
     }
 
-    /// Product of two profiles; `None` if the product has more than [`Self::MOST`] control values.
+    /// Product of two profiles; `None` if the product needs more than [`Self::MOST`] control values (Bernstein
+    /// coefficients).
     pub fn times(&self, other: &Profile) -> Option<Profile> {
         let (m, n) = (self.count - 1, other.count - 1);
         let mut values = [0.0; Self::MOST];
@@ -152,8 +156,8 @@ impl Profile {
         CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
-    /// Computes the control values of the part between the positions `a` and `b`. Each position is given by the
-    /// weights of the two segment ends in a linear interpolation.
+    /// Computes the control values (Bernstein coefficients) of the profile between the positions `a` and `b`. Each
+    /// position is given by its two weights in a linear interpolation between the segment's ends.
     fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];

@@ -37,7 +37,7 @@ pub(crate) const NODAL_WITH_HINGES: Refusal = Refusal {
 
 pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
     code: "GB607",
-    message: "the paper's iteration (5.14)–(5.18) does not support hinges",
+    message: "the iteration (5.14)–(5.18) of Kikuchi's paper does not support hinges",
     hint: "use the method `exact` or `active-set`",
 };
 
@@ -56,7 +56,7 @@ pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
 pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
     code: "GB612",
     message: "this compression exceeds the buckling load of the beam without ground; such a beam has no load factors",
-    hint: "omit the load factors; the result then contains the critical compression, which is the limit of the axial force",
+    hint: "omit the load factors; the result then contains the critical compression, at which the beam buckles",
 };
 
 pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
@@ -71,7 +71,8 @@ impl Problem {
         Problem::new(why.code, part, field, why.message, why.hint)
     }
 
-    /// Creates the refusal of a model whose shortest waves would need too many elements.
+    /// Creates the refusal of a model whose deflection has such short waves that the mesh would
+    /// need too many elements.
     pub(crate) fn too_fine(part: Part, needed: usize) -> Self {
         let field = match part {
             Part::FoundationSegment(_) => "shear_layer",

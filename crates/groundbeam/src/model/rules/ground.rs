@@ -12,7 +12,8 @@ impl Model {
             check_shear(found, part, shear);
             for (field, constant) in [("subgrade", spring), ("shear_layer", shear)] {
                 if constant.control_values().len() > Foundation::MOST_CONTROL_VALUES {
-                    let message = "this profile has more than three control values";
+                    let message =
+                        "this profile has more than three control values (Bernstein coefficients)";
                     let hint = "split the segment into two segments, or make the profile linear";
                     found.push(Problem::new("GB204", part, field, message, hint));
                 }
@@ -29,8 +30,7 @@ impl Model {
             let beside = s.to <= 0.0 || s.from >= self.beam.length;
             if beside && !(s.subgrade.is_constant() && s.shear_layer.is_constant()) {
                 let message = "ground outside the beam cannot vary along a segment";
-                let hint =
-                    "divide it into several segments with constant values; the beam is {0} long";
+                let hint = "divide the segment into several segments with constant k and mu; the beam is {0} long";
                 let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
@@ -38,7 +38,7 @@ impl Model {
         let endless = ground.ends.iter().all(|end| *end == GroundEnd::Endless);
         if ground.soil.is_some() && !(ground.segments.is_empty() && endless) {
             let message = "ground defined by soil data is uniform and infinite";
-            let hint = "remove the segments and the ends of the ground, or give k and mu instead of soil data";
+            let hint = "remove the ground segments and the definitions of the ground's ends, or give k and mu in place of the soil data";
             found.push(Problem::new("GB212", Part::Foundation, "soil", message, hint));
         }
         self.check_ground_ends(found);

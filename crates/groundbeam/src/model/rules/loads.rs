@@ -41,9 +41,9 @@ impl Model {
         if let (Some(load), Some(Part::FoundationSegment(i))) =
             (self.loads.iter().position(Load::is_on_ground), self.varying_ground())
         {
-            let message = "loads on the ground need segments of the ground with constant values";
+            let message = "loads on the ground require constant k and mu in each ground segment";
             let hint = format!(
-                "segment {} varies: divide it into several segments with constant values",
+                "k or mu varies along segment {}: divide this segment into several segments with constant k and mu",
                 i + 1
             );
             found.push(Problem::new("GB210", Part::Load(load), "at", message, hint));

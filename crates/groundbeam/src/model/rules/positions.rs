@@ -1,4 +1,4 @@
-//! The rules for positions and stretches.
+//! Rules for positions and stretches: loads and supports lie on the beam, stretches have a length, and segments do not overlap.
 
 use super::places;
 use crate::model::Model;

@@ -100,7 +100,8 @@ impl Model {
     }
 }
 
-/// Positions of the moments and of the supports that act on the slope, with the index of each moment and support.
+/// Positions and indices of the point moments, and of the supports that restrain the rotation of
+/// the beam.
 struct Turning {
     moments: Places,
     supports: Places,

@@ -81,8 +81,9 @@ impl LayeredSoil {
     }
 
     /// Parameter γ, the sum over all layers of the thickness divided by the decay length of the vertical
-    /// displacement. For one layer of thickness H it is the parameter γ of Vallabhan and Das,
-    /// γ² = r H² (1 − 2ν)/(2(1 − ν)), where r is `rate`.
+    /// displacement. The argument `rate` is r = ∫u'² dx/∫u² dx \[1/m²\], where u is the settlement of the ground's
+    /// surface. For one layer of thickness H and Poisson's ratio ν, γ is the parameter of Vallabhan and Das, γ² = r
+    /// H² (1 − 2ν)/(2(1 − ν)).
     pub fn gamma(&self, rate: f64) -> f64 {
         self.layers.iter().map(|layer| layer.decay(rate)).sum()
     }
@@ -94,8 +95,9 @@ impl LayeredSoil {
 
     /// Vertical displacement φ at the top of every layer and on the rock, relative to its value at the surface.
     fn heights(&self, rate: f64) -> Vec<f64> {
-        // The loop runs from the rock up. For each layer, it computes −E₀ φ'/φ at the top, which is the stiffness of
-        // the soil below. It also computes the ratio of φ at the bottom to φ at the top.
+        // The loop runs from the rock up. For each layer, it computes the stiffness −E₀ φ'/φ of the soil below the
+        // top of the layer, with the constrained modulus E₀ and the vertical displacement φ. It also computes the
+        // ratio of φ at the bottom of the layer to φ at its top.
         let mut below = f64::INFINITY;
         let mut left: Vec<f64> = Vec::with_capacity(self.layers.len());
         for layer in self.layers.iter().rev() {
@@ -135,8 +137,8 @@ fn tanh_over(c: f64) -> f64 {
 pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
     let (both, product) = (top * top + bottom * bottom, top * bottom);
     if c < 0.5 {
-        // The differences sinh c cosh c − c and c cosh c − sinh c are computed as power series, to avoid cancellation
-        // for small c.
+        // For a small argument c, the differences sinh c cosh c − c and c cosh c − sinh c would lose digits by
+        // cancellation, so they are computed as power series. The ratio c/sinh c loses no digits.
         let ratio = if c == 0.0 { 1.0 } else { c / sinh(c) };
         let (own, cross) = (series(2.0 * c, |_| 4.0), series(c, |n| 2.0 * n));
         let square = 0.5 * ratio * ratio * (both * own + 2.0 * product * cross);
@@ -206,8 +208,8 @@ mod tests {
         }
     }
 
-    /// Under uniform pressure, the layers act like springs in series. The integrals computed by `squares` are
-    /// continuous at c = 0.5, where their formulas change.
+    /// Under uniform pressure, the layers act like springs in series. The test also checks that the integrals
+    /// computed by `squares` are continuous at its argument c = 0.5, where closed forms replace the power series.
     #[test]
     fn layers_are_springs_in_series() {
         let layers = [(2.0, 1.0), (7.0, 0.5), (1.0, 3.0)].map(|(modulus, thickness)| SoilLayer {

@@ -135,7 +135,7 @@ impl SoilModel {
 }
 
 impl GroundConstants {
-    /// Returns the constants with k and μ multiplied by two factors.
+    /// Returns the constants with k multiplied by the first factor and μ multiplied by the second factor.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
         GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
