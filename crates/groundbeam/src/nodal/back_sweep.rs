@@ -12,7 +12,8 @@ pub(crate) struct Fields<'a> {
     pub force: &'a mut [f64],
 }
 
-/// Direction of back-substitution along the beam. The right sweep is reflected, so its slopes change sign.
+/// Sign of the direction of back-substitution along the beam: to the left end or to the right end. The
+/// back-substitution to the right end uses a mirrored coordinate, in which slopes have the opposite sign.
 const LEFT: f64 = -1.0;
 const RIGHT: f64 = 1.0;
 
@@ -27,10 +28,11 @@ struct Back {
     taken: f64,
     /// Deformation variables (e₁, e₂) of the previous element, as defined for [`Form`].
     e: [f64; 2],
-    /// Number of remaining stretches, of remaining elements in the current stretch, and of remaining elements in all
-    /// stretches.
+    /// Number of stretches of the beam that remain in the back-substitution.
     stretches: usize,
+    /// Number of elements that remain in the current stretch.
     within: usize,
+    /// Number of elements that remain in all stretches.
     elements: usize,
 }
 
@@ -101,8 +103,8 @@ pub(super) fn unfold(
     }
 }
 
-/// Back-substitutes over `steps` elements of the current stretch of each sweep. `towards` is the direction of each
-/// sweep, LEFT or RIGHT.
+/// Back-substitutes over the next `steps` elements, in one direction or in both directions at the same time.
+/// `towards` contains the directions, LEFT or RIGHT.
 #[inline(always)]
 fn recross<const SWEEPS: usize>(
     backs: [&mut Back; SWEEPS],
@@ -152,8 +154,9 @@ fn recross<const SWEEPS: usize>(
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];
-            // After the last element, the current node is the first node of the stretch. It is not found by counting,
-            // because one element of a span covers many nodes.
+            // After the last element of a stretch, the current node is the first node of the stretch. Counting one
+            // node per element would be wrong for a span out of contact, because its single element covers many
+            // nodes.
             node[lane] = match (within[lane], towards[lane] == LEFT) {
                 (0, _) => stretches[lane].node,
                 (_, true) => node[lane] - 1,

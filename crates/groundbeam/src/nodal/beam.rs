@@ -28,18 +28,24 @@ pub(crate) struct Beam {
     pub length: f64,
     /// EI/h³.
     stiffness: f64,
-    /// Dimensionless axial force t = P h²/EI, and P/h, with the axial force P and the element length h.
+    /// Dimensionless axial force t = P h²/EI, with the axial force P and the element length h.
     t: f64,
+    /// Axial force divided by the element length, P/h.
     tension: f64,
-    /// Values at the right end of the series c₀ … c₅ in the [deflection](self), and the determinant c₂² − c₁c₃ of the
-    /// equations for its constants of integration.
+    /// The functions c₀ … c₅ in the [formula of the deflection](self), evaluated at the right end of the element.
     c: [f64; 6],
+    /// Determinant c₂² − c₁c₃ of the equations for the constants of integration of the deflection.
     determinant: f64,
-    /// Load terms F₀ and F₁ of the [deflection](self).
+    /// Load terms F₀ and F₁ in the [formula of the deflection](self). F₀ is (f − g')h⁴/EI at the left end of the
+    /// element, with the distributed force f and the distributed moment g. F₁ is the change of this term over the
+    /// element.
     load: [f64; 2],
-    /// Load resultants ∫f dx and ∫(f x + g) dx/h, and the distributed moment g at the right end.
+    /// Resultant ∫f dx of the distributed force f on the element.
     force: f64,
+    /// Moment of the loads about the left end, divided by the element length h: ∫(f x + g) dx/h with the distributed
+    /// force f and the distributed moment g.
     turn: f64,
+    /// Distributed moment g at the right end of the element.
     moment_right: f64,
     /// Contribution of the imposed curvature κ₀ to the last two entries of the load vector.
     curling: [f64; 2],
@@ -181,7 +187,7 @@ impl Given {
         }
     }
 
-    /// Reflected stretch, in which the two ends are exchanged and g changes sign.
+    /// Mirror image of the stretch, in which the two ends are exchanged and the distributed moment g changes sign.
     pub fn mirrored(&self) -> Self {
         let turned = |[a, b]: [f64; 2]| [b, a];
         Given {

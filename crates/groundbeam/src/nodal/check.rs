@@ -7,7 +7,8 @@ use crate::nodal::solution::NodalSolution;
 /// Number of independent partial sums. In a single sum, each addition would have to wait for the previous addition.
 const WIDTH: usize = 4;
 
-/// Partial sums and maxima over the nodes of a row. Each entry is for every [`WIDTH`]-th node.
+/// Partial sums and maxima over the nodes of a row. Entry i of each array covers the nodes i, i + [`WIDTH`], i + 2
+/// [`WIDTH`] and so on.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
     sum: [f64; WIDTH],
@@ -20,8 +21,9 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds consecutive nodes of a row, beginning with node `from` of the row, to the sums. `gap` contains the gap at
-    /// the first node of the row, including the free-field settlement, and the change of the gap from node to node.
+    /// Adds the contributions of consecutive nodes of a row, from node number `from` of the row on, to the partial
+    /// sums. `gap` contains the gap at the first node of the row, including the free-field settlement, and the
+    /// increment of the gap from node to node.
     #[inline(always)]
     fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };

@@ -1,4 +1,4 @@
-//! Contact edges of a free beam from its nodal problem, as an initial guess for the exact edges.
+//! Computes approximate contact edges from a solution with contact at mesh nodes, as an initial guess for the exact edges.
 
 use crate::cancel::Cancel;
 use crate::element::operator::{Operator, ZoneKind};
@@ -9,9 +9,10 @@ use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
 use crate::nodal::{levels, newton};
 
-/// Computes the contact edges of a free beam on a mesh that resolves the waves of the beam. Returns `None` if the
-/// beam has supports or hinges, if it is too long and soft for a mesh, if stiffness or ground varies along a segment,
-/// or if the contact does not converge.
+/// Computes the approximate contact edges of a beam without supports and hinges, on a mesh whose elements are short
+/// compared with the waves of the deflection. Returns `None` if the beam has supports or hinges, if it is so long and
+/// flexible that the mesh would be too large, if stiffness or ground varies along a segment, or if the contact
+/// iteration does not converge.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let held = !(model.supports.is_empty() && model.hinges.is_empty());
     if held || model.varying_part().is_some() {
@@ -42,9 +43,9 @@ pub(crate) struct Coarse {
     pub edges: Vec<[f64; 2]>,
 }
 
-/// Computes the contact of a beam of few waves on a coarse mesh. Every interval between two required positions has
-/// `per_wave` elements per 1/(wave number), and at least two elements. Returns `None` if the contact does not
-/// converge.
+/// Computes the contact zones on a coarse mesh, for a beam whose deflection has only a few waves. Every interval
+/// between two required positions has `per_wave` elements per length 1/λ, where λ is the wave number of the beam on
+/// its ground, and at least two elements. Returns `None` if the contact iteration does not converge.
 pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
     let axial_force = model.beam.axial_force;
     let wanted = |cell: &Cell| {
@@ -67,8 +68,8 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Co
     Some(Coarse { grid, workspace, edges })
 }
 
-/// Limit of the distance between two required positions, in units of 1/(wave number). A longer interval gets no more
-/// elements on a coarse mesh.
+/// Distance between two required positions, in units of 1/(wave number), up to which the number of elements of the
+/// interval increases with the distance. For longer intervals, the number of elements is constant.
 const MOST_COARSE: f64 = 64.0;
 
 /// Elements per 1/(wave number) on a mesh whose contact edges are the initial guess of the exact method.

@@ -1,34 +1,38 @@
-//! Energy of an element and its ground, in the variables (y, e) of a sweep.
+//! Energy of a beam element and its ground, as a function of displacements y and deformations e of the element.
 //!
-//! The left end of an element has the displacements x = (w, Lθ), with the deflection w, the rotation θ and the
-//! element length L. The right end has the displacements x' = (w', Lθ') = T x + d, with T = \[\[1, 1\], \[0, 1\]\]
-//! and the deformation d of the element. The variable y = T⁻¹x' = (w' − Lθ', Lθ') contains the displacements that the
-//! left end would have if the element were rigid. The variable e = y − x = T⁻¹d is the effect of the deformation.
-//! Hence w = y₁ − e₁, Lθ = y₂ − e₂ and w' − w = y₂ + e₁.
+//! A [sweep](super::sweep) eliminates the elements one after another, from one end of the beam. The left end of an
+//! element has the displacements x = (w, Lθ), with the deflection w, the rotation θ and the element length L. The
+//! right end has the displacements x' = (w', Lθ') = T x + d, with T = \[\[1, 1\], \[0, 1\]\] and the deformation d of
+//! the element. The variable y = T⁻¹x' = (w' − Lθ', Lθ') contains the displacements that the left end would have if
+//! the element were rigid. The variable e = y − x = T⁻¹d is the effect of the deformation. Hence w = y₁ − e₁, Lθ = y₂
+//! − e₂ and w' − w = y₂ + e₁.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// Energy of an element in the variables y and e of a [sweep](self), and the shunt springs of the ground under the
-/// ends of the element. The energy is ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂) with the stiffness matrix M and the
-/// load vector q.
+/// Energy of an element as a function of the displacements y = (y₁, y₂) and the deformations e = (e₁, e₂) that the
+/// [module documentation](self) defines. The energy is ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂) with the stiffness
+/// matrix M and the load vector q. It has no quadratic term in y₁, because y₁ translates the whole element. The
+/// springs from the two ends to the rigid base are stored separately.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Form {
     /// Length L.
     pub length: f64,
-    /// Entries of the stiffness matrix for the variables (y₂, e₁, e₂). `m` contains the entries y₂y₂, y₂e₁ and y₂e₂;
-    /// `e` contains the entries e₁e₁, e₁e₂ and e₂e₂.
+    /// Entries y₂y₂, y₂e₁ and y₂e₂ of the stiffness matrix for the [variables](self) (y₂, e₁, e₂): the rotation y₂
+    /// and the deformations e₁ and e₂.
     pub m: [f64; 3],
+    /// Entries e₁e₁, e₁e₂ and e₂e₂ of the stiffness matrix for the deformations e₁ and e₂.
     pub e: [f64; 3],
-    /// Load vector q of the first element of a run, and the increment of q from one element to the next. The last two
-    /// entries are stiffness times gap for the shunt springs under the left and the right end.
+    /// Load vector q of the first element of a run of equal elements. Its last two entries are stiffness times gap
+    /// for the springs from the left and the right end of the element to the rigid base.
     pub q: [f64; 6],
+    /// Increment of the load vector q from one element of the run to the next.
     pub dq: [f64; 6],
-    /// Stiffness of the shunt springs under the left and the right end.
+    /// Stiffness of the ground springs from the left and the right end of the element to the rigid base.
     pub shunt: [f64; 2],
-    /// Stiffness of the series spring between the two ends, and the product of this stiffness and the rise of the gap
-    /// from left to right.
+    /// Stiffness of the ground spring between the left and the right end of the element.
     pub series: f64,
+    /// Product of `series` and the increase of the gap from the left to the right end of the element.
     pub rise: f64,
 }
 
@@ -81,8 +85,8 @@ impl Form {
         self
     }
 
-    /// Returns the form of a run of `count` elements. `self` is the form of the first element and `last` the form of
-    /// the last element.
+    /// Returns the energy of all elements of a run of `count` equal elements, whose loads change linearly from
+    /// element to element. `self` is the energy of the first element and `last` the energy of the last element.
     pub fn towards(mut self, last: &Form, count: usize) -> Self {
         if count > 1 {
             let steps = (count - 1) as f64;
@@ -91,7 +95,7 @@ impl Form {
         self
     }
 
-    /// Returns the form of the rest of the run, which begins `elements` elements later.
+    /// Returns the energy of the remaining elements of the run, without its first `elements` elements.
     pub fn after(mut self, elements: usize) -> Self {
         if elements > 0 && !self.is_even() {
             self.q = self.load(elements as f64);

@@ -24,27 +24,30 @@ const STIFF: f64 = 0.5;
 /// A run of equal elements.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Run {
-    /// Data of beam and ground along the whole run.
+    /// Data of beam and ground along this row of equal elements.
     pub cell: Cell,
-    /// Distributed loads and imposed curvature along the run.
+    /// Distributed loads and imposed curvature along this row of equal elements.
     pub given: Given,
     /// Sum of the initial gap and the free-field settlement at the first and the last node of the run. The sum is
     /// linear between these nodes.
     pub gap: [f64; 2],
-    /// Beam element without ground, if the run is not uniform; such a run has one element. `None` for a uniform run.
+    /// Beam element without ground, if stiffness or ground varies along the run or if the beam has shear deformation.
+    /// Such a run has only one element. `None` for a run of equal elements.
     pub element: Option<Element>,
-    /// First node of the run, and its number of elements.
+    /// First node of this row of equal elements.
     pub first: usize,
+    /// Number of elements of this row.
     pub count: usize,
     /// Length of an element.
     pub h: f64,
     /// Two-port of the ground under one element.
     pub link: TwoPort,
-    /// Form of the first element that a sweep crosses in the run, with ground that is bonded at both ends of the
-    /// element. The first form is for the sweep from the left, the second form for the sweep from the right.
+    /// Energy of the first element of this row in the direction of elimination, with ground bonded to both ends of
+    /// the element. The entries are for the elimination from the left and from the right end of the beam.
     pub bonded: [Form; 2],
-    /// Uniform ground of the run, and the two-port of the ground out of contact along the whole run.
+    /// Uniform ground under this row of equal elements.
     pub layer: Layer,
+    /// Equivalent springs of the ground out of contact between the two ends of the run.
     whole: TwoPort,
     /// Two-ports of the ground out of contact to the left of the first node and to the right of the last node. They
     /// include the ground outside the beam.
@@ -92,8 +95,8 @@ impl Run {
         run
     }
 
-    /// Computes the form of the first element that a sweep crosses in the run, with ground that is bonded at both
-    /// ends of the element. If `mirrored` is true, the sweep begins at the right end.
+    /// Computes the energy of the first element of this row in the direction of elimination, with ground bonded to
+    /// both ends of the element. If `mirrored` is true, the elimination begins at the right end of the beam.
     fn first_bonded(&self, axial_force: f64, mirrored: bool) -> Form {
         let turned = |pair: [f64; 2]| if mirrored { [pair[1], pair[0]] } else { pair };
         let link = if mirrored { self.link.mirrored() } else { self.link };
@@ -114,7 +117,7 @@ impl Run {
         if self.is_alike() { first } else { first.towards(&form(last), self.count) }
     }
 
-    /// Whether loads, curvature and gap are constant along the run.
+    /// Whether distributed loads, imposed curvature and gap are constant along this row of elements.
     fn is_alike(&self) -> bool {
         self.given.is_even() && self.gap[0] == self.gap[1]
     }
@@ -138,7 +141,7 @@ impl Run {
         self.first + self.count
     }
 
-    /// Distributed loads and imposed curvature between two nodes of this run.
+    /// Distributed loads and imposed curvature between two nodes of this row of equal elements.
     pub fn part(&self, from: usize, to: usize) -> Given {
         if self.given.is_even() {
             return self.given;
@@ -146,7 +149,7 @@ impl Run {
         self.given.part([from, to].map(|node| (node - self.first) as f64 / self.count as f64))
     }
 
-    /// Two-port of the ground out of contact between two nodes of this run.
+    /// Equivalent springs of the ground out of contact between two nodes of this row of equal elements.
     pub fn open(&self, from: usize, to: usize) -> TwoPort {
         if to - from == self.count || self.cell.shear_layer == 0.0 {
             return self.whole;
@@ -154,7 +157,7 @@ impl Run {
         self.layer.open(self.h * (to - from) as f64)
     }
 
-    /// Position of a node \[m\], computed from the nearer end of the run.
+    /// Position of a node \[m\], computed from the nearer end of this row of equal elements.
     pub fn x(&self, node: usize) -> f64 {
         let ([left, right], count) = (self.cell.x, self.count as f64);
         let (before, after) = ((node - self.first) as f64, (self.end() - node) as f64);
@@ -165,7 +168,7 @@ impl Run {
         }
     }
 
-    /// Data of beam and ground between two nodes of this run.
+    /// Data of beam and ground between two nodes of this row of equal elements.
     pub fn between(&self, [from, to]: [usize; 2]) -> Cell {
         if to - from == self.count {
             return self.cell;
@@ -241,7 +244,8 @@ fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
 /// Discretisation of the ground, whose forces act at the nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ground {
-    /// Ground reactions as point forces at the nodes, (5.5), with exact ground between the nodes.
+    /// Ground reactions as point forces at the nodes, (5.5) of the paper. Between the nodes, the ground displacement
+    /// is an exact solution.
     Nodal,
     /// Ground reactions as point forces at the nodes. The shear layer is linear between the nodes, and the springs
     /// are lumped at the nodes by the trapezoidal rule. This rule is also used if an element is longer than the decay
@@ -275,14 +279,15 @@ impl Grid {
         Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
     }
 
-    /// Creates a grid as [`Grid::new`] does, but raises EI where the elements are too long for the waves of the beam.
+    /// Creates a grid as [`Grid::new`] does, but raises EI where the waves of the beam on its ground are shorter than
+    /// an element.
     pub fn stiffened(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
     }
 
-    /// Creates a grid. `divide` returns the minimum number of elements of a cell and a length. EI is raised where the
-    /// waves of the beam are shorter than this length.
+    /// Creates a grid. For each cell, `divide` returns two values: the minimum number of elements, and a length. EI
+    /// is raised where the waves of the beam on its ground are shorter than this length.
     pub fn cut(model: &Model, ground: Ground, divide: impl Fn(&Cell) -> (usize, f64)) -> Self {
         let axial_force = model.beam.axial_force;
         let count = |cell: &Cell| {
@@ -318,7 +323,7 @@ impl Grid {
         grid
     }
 
-    /// Sets the two-ports of the ground to the left and to the right of each run.
+    /// Computes the equivalent springs of the ground to the left and to the right of each row of equal elements.
     fn chain(&mut self) {
         let spring = TwoPort::default();
         let mut link = TwoPort { shunt_right: self.outside[0], ..spring };
@@ -362,7 +367,7 @@ impl Grid {
         self.runs.last().map_or(0, Run::end)
     }
 
-    /// First node of each run, and the last node of the grid.
+    /// First node of each row of equal elements, and the last node of the grid.
     pub fn firsts(&self) -> impl Iterator<Item = usize> {
         self.runs.iter().map(|run| run.first).chain([self.last()])
     }
@@ -403,7 +408,7 @@ impl Grid {
         parts.filter(|(_, from, to)| from < to)
     }
 
-    /// Two-port of the ground out of contact between two nodes; `None` if the nodes coincide.
+    /// Equivalent springs of the ground out of contact between two nodes; `None` if the nodes coincide.
     pub fn link(&self, from: usize, to: usize) -> Option<TwoPort> {
         let links = self.parts(from, to).map(|(run, from, to)| self.runs[run].open(from, to));
         links.reduce(TwoPort::then)
@@ -423,7 +428,7 @@ impl Grid {
         if node == run.end() { after } else { run.open(node, run.end()).then(after) }
     }
 
-    /// Loads, supports and hinge at a node; `None` if the node is at no required position.
+    /// Loads, supports and hinge at a node; `None` if the node lies inside a row of equal elements.
     pub fn place(&self, node: usize) -> Option<&Node> {
         let run = self.run_at(node);
         if self.runs[run].first == node {

@@ -1,9 +1,9 @@
-//! Nodes in contact with the ground, from the deflections of all nodes.
+//! Computes which nodes are in contact with the ground from the deflections of all nodes.
 //!
 //! The contact set solves the [obstacle problem](crate::contact::obstacle) of exact contact, but only at the nodes. A
-//! node can be in contact only if ground that is bonded to all nodes would press on this node. A row of such nodes is
-//! called an *arc*. A scan from left to right joins arcs to contact zones. The force at the end of a zone is monotone
-//! in the position of this end, so each end is found by bisection.
+//! node can be in contact only if its ground force would be compressive with the ground bonded to all nodes. A row of
+//! consecutive nodes with this property is called an *arc*. A scan from left to right joins arcs to contact zones.
+//! The force at the end of a zone is monotone in the position of this end, so each end is found by bisection.
 
 use super::grid::Grid;
 use crate::ground::link::TwoPort;
@@ -95,14 +95,14 @@ impl Hull<'_> {
                 let end = (at + BLOCK).min(run.count);
                 let mut pressing = 0;
                 for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
-                    // The gap is linear in the run, so the deflection w and ψ = w − gap have equal second
-                    // differences.
+                    // The gap is linear along this row of equal elements, so the deflection w and ψ = w − gap have
+                    // equal second differences.
                     let psi = w[1] - (g + dg * (at + i) as f64);
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // If all nodes of the block are in the state of the previous node, no arc begins or ends in the
-                // block.
+                // If bonded ground presses on all nodes of the block or on none of them, just as on the node before
+                // the block, no row of pressed nodes begins or ends in the block.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {
@@ -155,8 +155,8 @@ impl Hull<'_> {
         Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
-    /// Returns the last node of a zone on which the ground presses. The ground to the right of this node is out of
-    /// contact up to `next`.
+    /// Returns the new last node of the contact zone from `from` to `to`: the last node whose ground force is
+    /// compressive if the ground to the right of it is out of contact up to `next`, the first node of the next zone.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
         let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
         let presses = |back: usize| {
@@ -211,21 +211,21 @@ impl Hull<'_> {
     }
 }
 
-/// Ground out of contact on one side of a trial node. The two-port of the part outside the run of this node is stored
-/// for the next trial.
+/// Ground out of contact on one side of a trial node for the end of a contact zone. The equivalent springs of the
+/// ground beyond the row of equal elements that contains the node are stored for the next trial.
 #[derive(Default)]
 struct Opening {
     run: usize,
     rest: Option<Rest>,
 }
 
-/// Two-port of the ground from the end of a run to the neighbouring zone, or to the far end of the ground; `None` if
-/// this zone begins or ends in the run.
+/// Equivalent springs of the ground from the end of a row of equal elements to the neighbouring contact zone, or to
+/// the far end of the ground; `None` if this zone begins or ends in the row.
 type Rest = Option<TwoPort>;
 
 impl Opening {
-    /// Two-port of the ground from a node to the first node of the next zone. Without a next zone, the ground beyond
-    /// the beam is included.
+    /// Equivalent springs of the ground out of contact from a node to the first node of the next contact zone.
+    /// Without a next zone, the ground outside the beam is included.
     fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> TwoPort {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
@@ -244,8 +244,8 @@ impl Opening {
         rest.map_or(near, |rest| near.then(rest))
     }
 
-    /// Two-port of the ground from the last node of the previous zone to a node. Without a previous zone, the ground
-    /// beyond the beam is included.
+    /// Equivalent springs of the ground out of contact from the last node of the previous contact zone to a node.
+    /// Without a previous zone, the ground outside the beam is included.
     fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> TwoPort {
         if node == 0 {
             return grid.left_of(node);

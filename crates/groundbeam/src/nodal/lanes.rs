@@ -1,4 +1,4 @@
-//! Arithmetic on one number per sweep, so that a processor computes one or two sweeps with one instruction.
+//! Arithmetic on one number for each elimination along the beam, so that one instruction advances one or two eliminations.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -7,7 +7,7 @@ use std::ops::{Add, Mul, Sub};
 pub(crate) struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
-    /// Creates the numbers of all sweeps. `number` returns the number of a sweep from the index of the sweep.
+    /// Creates one value per sweep. `number(i)` returns the value for the sweep with the index i.
     pub fn of(number: impl FnMut(usize) -> f64) -> Self {
         Lanes(std::array::from_fn(number))
     }

@@ -26,7 +26,8 @@ impl Layer {
             return Layer::default();
         }
         let half = 0.5 * h * (spring / shear).sqrt();
-        // The stiffness is (μ/h) sinh β with `half` = sinh(β/2).
+        // From node to node the ground displacement decays by e^(−β), with sinh(β/2) = `half`. The stiffness is
+        // (μ/h) sinh β, which equals √(kμ) cosh(β/2).
         let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
         Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
@@ -66,7 +67,8 @@ mod tests {
         }
     }
 
-    /// The two-port of several elements equals the two-ports of the elements in series.
+    /// The equivalent springs of the ground under several elements equal those of the single elements connected in
+    /// series.
     #[test]
     fn open_ground_at_nodes_is_its_links_in_series() {
         for h in [1e-3, 0.1, 1.0, 30.0] {

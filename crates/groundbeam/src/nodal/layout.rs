@@ -1,4 +1,4 @@
-//! Divides the beam into stretches for two sweeps: rows of bonded elements, and spans out of contact.
+//! Divides the beam into rows of bonded elements and spans out of contact, for the elimination from both ends of the beam.
 
 use super::form::Form;
 use super::grid::Grid;
@@ -10,7 +10,8 @@ use super::stretch::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
 
-/// A span, the side of the sweep that crosses it, and its index among the stretches of this side.
+/// A span of the beam out of contact. `side` states whether it is eliminated from the left or from the right end of
+/// the beam, and `stretch` is its index among the stretches that are eliminated from this end.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Placed {
     pub span: Span,
@@ -18,13 +19,14 @@ pub(crate) struct Placed {
     pub stretch: usize,
 }
 
-/// Division of the beam into stretches for two sweeps that meet at a node.
+/// Division of the beam into stretches. One elimination from the left end and one from the right end process the
+/// stretches one after another, up to the node where both eliminations meet.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Layout {
     pub sides: [Side; 2],
-    /// Node where the sweeps meet.
+    /// Node where the elimination from the left end and the elimination from the right end meet.
     pub meeting: usize,
-    /// Loads, supports, hinge and springs at the meeting node.
+    /// Loads, supports, hinge and springs at the node where the eliminations from both ends of the beam meet.
     pub stand: Stand,
     /// Deflection of the meeting node and the rotations to its left and to its right, from the last solve.
     pub middle: [f64; 3],
@@ -171,7 +173,8 @@ impl Layout {
         Ok(())
     }
 
-    /// Adds the beam between two nodes, with the ground under it, as one stretch of a sweep.
+    /// Adds the beam between two nodes and the ground under it, condensed to one element, to the elimination from
+    /// one end of the beam.
     fn add_span(
         &mut self,
         grid: &Grid,
@@ -210,7 +213,8 @@ fn middle(zones: &[Zone], mut count: usize) -> usize {
     0
 }
 
-/// Creates a stretch from a part of a row of equal elements, which are bonded at both ends.
+/// Creates a stretch from consecutive elements of a row of equal elements. The ground is bonded to both ends of each
+/// element.
 fn row(
     grid: &Grid,
     run: usize,

@@ -5,15 +5,15 @@ use crate::model::Model;
 
 /// Number of elements per length 1/λ on the coarsest grid, with the largest wave number λ of the beam.
 const COARSEST: f64 = 1.5;
-/// Ratio of the element counts of successive grids if the required grid barely resolves the waves of the beam, or
-/// does not resolve them.
+/// Ratio of the element counts of successive grids, used if even the finest grid has hardly enough or too few
+/// elements to resolve the waves of the deflection.
 const STEP: f64 = 4.0;
-/// Minimum number of elements of a coarse grid that is chosen by the ratio `STEP`.
+/// Minimum number of elements of a coarse grid whose element count follows from the ratio `STEP`.
 const FEWEST: f64 = 20.0;
-/// Maximum element count of the last coarse grid after its refinement, relative to the required grid. The refinement
-/// locates the contact edges to a fraction of an element.
+/// Maximum element count of the last coarse grid, relative to that of the required grid, if the coarse grid is
+/// refined to locate the contact edges more accurately.
 const SHARE: f64 = 0.3;
-/// Maximum factor by which the refinement of the last coarse grid multiplies its element count.
+/// Maximum factor by which a refinement increases the element count of the last coarse grid.
 const SHARPEST: f64 = 6.0;
 /// The last coarse grid is refined only if its element count grows by more than this factor. A smaller refinement
 /// would cost more solves than it saves.
@@ -21,9 +21,10 @@ const SHARP: f64 = 4.0;
 /// Maximum ratio of the element counts of two successive grids for which the coarser grid counts as `rough`.
 const FEW: f64 = 3.5;
 
-/// Writes the grids, from the coarsest grid to the required grid, to `grids`. On the coarsest grid a few elements
-/// resolve every wave of the beam. The element counts are chosen so that Newton's method needs one or two steps per
-/// grid. On coarse grids, EI is raised where the elements are too long for the waves of the beam.
+/// Writes the grids, from the coarsest grid to the required grid, to `grids`. The coarsest grid has only a few
+/// elements per wave of the deflection. The element counts are chosen so that Newton's method needs one or two steps
+/// per grid. On a grid that is too coarse for the waves of the deflection, EI is increased until no wave is shorter
+/// than an element.
 pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
@@ -44,8 +45,9 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     let mut last = wanted;
     loop {
         // If a grid has the element length h, the next coarser grid has the element length √(h/λ), with the wave
-        // number λ of the beam. The contact edges of the coarser grid are then off by one or two nodes on the finer
-        // grid. With a few times more elements on the coarser grid, the edges are at the right nodes.
+        // number λ of the beam. The contact edges of the coarser grid are then accurate to one or two nodes of the
+        // finer grid. The last coarse grid may have a few times more elements, so that its contact edges are at the
+        // right nodes of the required grid.
         let mut next = (last * waves).sqrt();
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {

@@ -25,11 +25,12 @@ const SPRING_FORCE: f64 = 1e-14;
 /// Counts of operations that measure the work of a solve. They do not depend on the speed of the computer.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Number of bonded solves on all grids.
+    /// Number of solves of the linear problem with given contact zones, on all grids.
     pub solves: usize,
-    /// Number of bonded solves on the required grid.
+    /// Number of solves of the linear problem with given contact zones, on the required (finest) grid.
     pub fine_solves: usize,
-    /// Number of elements that the sweeps cross in all solves. A stretch off the ground counts as one element.
+    /// Number of elements that are eliminated in all solves together. A stretch out of contact counts as one
+    /// element.
     pub elements: usize,
     /// Number of grids.
     pub grids: usize,
@@ -220,8 +221,8 @@ impl Workspace {
         springs.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SPRING_FORCE * all)
     }
 
-    /// Iterates until a bonded solve leaves the contact zones unchanged, within the tolerance of `goal`. The first
-    /// `whole` steps are full steps.
+    /// Iterates until a solve with given contact zones results in the same contact zones, within the tolerance of
+    /// `goal`. The first `whole` Newton steps are not shortened by a line search.
     fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), NotSolved> {
         let mut whole = whole;
         for step in 0..goal.steps {

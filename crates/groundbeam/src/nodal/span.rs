@@ -21,17 +21,19 @@ pub(crate) struct Piece {
     pub length: f64,
     /// Closed form of the deflection of a uniform beam; `None` for a single element without a closed form.
     beam: Option<Beam>,
-    /// Deformations d₁ and t of the span before this piece, as functions of the deflection, the rotation and the
-    /// deformations of the span up to the end of this piece. The rotation t includes the rotation jump of a hinge.
+    /// Deflection d₁ and rotation t at the start of this piece, relative to a rigid motion with the start of the
+    /// span. The rotation t includes the rotation jump of a hinge. Both are linear functions of the deflection and
+    /// the rotation at the start of the span and of the deformations of the span up to the end of this piece.
     before: [Row<6>; 2],
-    /// Rotation d₂ of the right end of the span before a hinge, relative to its left end and without the rotation
-    /// jump of the hinge. It is a function of the deflection, the rotation and the deformations d₁ and t of this
-    /// span.
+    /// For a hinge at the start of this piece: rotation of the beam just before the hinge, relative to a rigid
+    /// motion with the start of the span. It is a function of the deflection and the rotation at the start of the
+    /// span, and of the two functions in `before`.
     hinge: Option<Row<4>>,
 }
 
 impl Piece {
-    /// Deflection, rotation and deformations `own` of the piece, reflected to the opposite direction.
+    /// Returns the deflection, the rotation and the two deformations of the piece as seen from its other end. `own`
+    /// contains these four values as seen from the first end.
     pub fn mirrored(&self, own: [f64; 4]) -> [f64; 4] {
         mirror_shape(&own, self.length, Basis::Deformation)
     }
@@ -43,7 +45,8 @@ impl Piece {
     }
 }
 
-/// The beam between two nodes, condensed to one element in the direction of the sweep.
+/// The beam between two nodes, condensed to one element. Its inner nodes are eliminated from left to right, or from
+/// right to left if `mirrored` is true.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Span {
     pub from: usize,
@@ -53,9 +56,11 @@ pub(crate) struct Span {
     pub whole: Element,
 }
 
-/// Indices of the eliminated deflection d₁ and rotation t among the unknowns (w, θ, D₁, D₂, d₁, t) of two joined
-/// pieces.
+/// Index of the deflection d₁ at the node between two joined pieces, among the [six unknowns](self) (w, θ, D₁, D₂,
+/// d₁, t).
 const D: usize = 4;
+/// Index of the rotation t at the node between two joined pieces, among the [six unknowns](self) (w, θ, D₁, D₂, d₁,
+/// t).
 const T: usize = 5;
 
 /// Rotational stiffness at a hinge below which the beam is a mechanism, relative to the bending stiffness of
@@ -143,8 +148,9 @@ impl Span {
         self.pieces.iter().flat_map(|piece| piece.nodes)
     }
 
-    /// Calls `each` for every piece, from the last to the first, with the deflection and the rotation of its first
-    /// end and its two deformations. `v` contains these four values for the whole span.
+    /// Calls `each` for every piece, from the last to the first, with four numbers. These are the deflection and
+    /// the rotation of the piece's first end, and the deflection and the rotation of the other end relative to a
+    /// rigid motion with the first end. `v` contains these four numbers for the whole span.
     pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;
@@ -175,8 +181,8 @@ fn join(
     let (h, l) = (left.length, next.length);
     let mut own = Quadratic { h: left.stiffness, g: left.load };
     if let Some(spring) = stand.hinge {
-        // This block replaces the rotation d₂ of the left element by t, the sum of d₂ and the rotation jump of the
-        // hinge.
+        // This block replaces one unknown of the left element: the rotation d₂ of its right end becomes t, the sum
+        // of d₂ and the rotation jump of the hinge.
         let bending = own.h[3][3];
         if bending + spring <= FREE_HINGE * next.stiffness[3][3] {
             return Err(NotSolved);

@@ -38,7 +38,8 @@ impl Model {
         let endless = ground.ends.iter().all(|end| *end == GroundEnd::Endless);
         if ground.soil.is_some() && !(ground.segments.is_empty() && endless) {
             let message = "ground defined by soil data is uniform and infinite";
-            let hint = "remove the ground segments and the definitions of the ground's ends, or give k and mu in place of the soil data";
+            let hint = "remove the ground segments and the definitions of the ground's ends, \
+                        or give k and mu in place of the soil data";
             found.push(Problem::new("GB212", Part::Foundation, "soil", message, hint));
         }
         self.check_ground_ends(found);
