@@ -16,8 +16,8 @@ pub(crate) struct GroundRun<R = f64> {
     pub beyond: [R; 2],
 }
 
-/// Divides the cells of a mesh into runs that either all have a shear layer or all have none. Returns the runs from
-/// left to right.
+/// Divides the cells of a mesh into runs of consecutive cells that all have a shear layer or all have none. Returns
+/// the runs from left to right.
 pub(crate) fn ground_runs<R: Real>(mesh: &Mesh<R>) -> Vec<GroundRun<R>> {
     let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
     let n = mesh.cells.len();

@@ -7,8 +7,8 @@ use crate::nodal::solution::NodalSolution;
 /// Number of independent partial sums. In a single sum, each addition would have to wait for the previous addition.
 const WIDTH: usize = 4;
 
-/// Partial sums and maxima over the nodes of a row. Entry i of each array covers the nodes i, i + [`WIDTH`], i + 2
-/// [`WIDTH`] and so on.
+/// Partial sums and maxima over the nodes of a row. Entry i of each array is for node i and every [`WIDTH`]-th
+/// node after it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
     sum: [f64; WIDTH],

@@ -4,8 +4,8 @@
 //! element has the displacements x = (w, Lθ), with the deflection w, the rotation θ and the element length L. The
 //! right end has the displacements x' = (w', Lθ') = T x + d, with T = \[\[1, 1\], \[0, 1\]\] and the deformation d of
 //! the element. The variable y = T⁻¹x' = (w' − Lθ', Lθ') contains the displacements that the left end would have if
-//! the element were rigid. The variable e = y − x = T⁻¹d is the effect of the deformation. Hence w = y₁ − e₁, Lθ = y₂
-//! − e₂ and w' − w = y₂ + e₁.
+//! the element were rigid. The variable e = y − x = T⁻¹d is the effect of the deformation. Hence w = y₁ − e₁,
+//! Lθ = y₂ − e₂ and w' − w = y₂ + e₁.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
@@ -26,7 +26,7 @@ pub(crate) struct Form {
     /// Load vector q of the first element of a run of equal elements. Its last two entries are stiffness times gap
     /// for the springs from the left and the right end of the element to the rigid base.
     pub q: [f64; 6],
-    /// Increment of the load vector q from one element of the run to the next.
+    /// Increment of the load vector q from one element of a run of equal elements to the next.
     pub dq: [f64; 6],
     /// Stiffness of the ground springs from the left and the right end of the element to the rigid base.
     pub shunt: [f64; 2],
@@ -95,7 +95,7 @@ impl Form {
         self
     }
 
-    /// Returns the energy of the remaining elements of the run, without its first `elements` elements.
+    /// Returns the energy of a run of equal elements without its first `elements` elements.
     pub fn after(mut self, elements: usize) -> Self {
         if elements > 0 && !self.is_even() {
             self.q = self.load(elements as f64);

@@ -31,8 +31,8 @@ pub(crate) struct Run {
     /// Sum of the initial gap and the free-field settlement at the first and the last node of the run. The sum is
     /// linear between these nodes.
     pub gap: [f64; 2],
-    /// Beam element without ground, if stiffness or ground varies along the run or if the beam has shear deformation.
-    /// Such a run has only one element. `None` for a run of equal elements.
+    /// Beam element without ground, if stiffness or ground varies along this row, if the beam has shear deformation
+    /// or if loads act on the ground. Such a row has only one element. `None` for a row of equal elements.
     pub element: Option<Element>,
     /// First node of this row of equal elements.
     pub first: usize,
@@ -47,7 +47,7 @@ pub(crate) struct Run {
     pub bonded: [Form; 2],
     /// Uniform ground under this row of equal elements.
     pub layer: Layer,
-    /// Equivalent springs of the ground out of contact between the two ends of the run.
+    /// Equivalent springs of the ground out of contact between the two ends of this row of elements.
     whole: TwoPort,
     /// Two-ports of the ground out of contact to the left of the first node and to the right of the last node. They
     /// include the ground outside the beam.

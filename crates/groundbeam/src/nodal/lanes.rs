@@ -7,7 +7,8 @@ use std::ops::{Add, Mul, Sub};
 pub(crate) struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
-    /// Creates one value per sweep. `number(i)` returns the value for the sweep with the index i.
+    /// Creates one value for each elimination sweep along the beam. `number(i)` returns the value
+    /// for sweep i.
     pub fn of(number: impl FnMut(usize) -> f64) -> Self {
         Lanes(std::array::from_fn(number))
     }

@@ -47,7 +47,7 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
         // If a grid has the element length h, the next coarser grid has the element length √(h/λ), with the wave
         // number λ of the beam. The contact edges of the coarser grid are then accurate to one or two nodes of the
         // finer grid. The last coarse grid may have a few times more elements, so that its contact edges are at the
-        // right nodes of the required grid.
+        // correct nodes of the required grid.
         let mut next = (last * waves).sqrt();
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {

@@ -21,13 +21,14 @@ pub(crate) struct Piece {
     pub length: f64,
     /// Closed form of the deflection of a uniform beam; `None` for a single element without a closed form.
     beam: Option<Beam>,
-    /// Deflection d₁ and rotation t at the start of this piece, relative to a rigid motion with the start of the
-    /// span. The rotation t includes the rotation jump of a hinge. Both are linear functions of the deflection and
-    /// the rotation at the start of the span and of the deformations of the span up to the end of this piece.
+    /// Deflection d₁ and rotation t at the start of this piece, relative to a rigid body that moves with the start
+    /// of the span. The rotation t includes the rotation jump of a hinge. Both are linear functions of the
+    /// deflection and the rotation at the start of the span and of the deformations of the span up to the end of
+    /// this piece.
     before: [Row<6>; 2],
-    /// For a hinge at the start of this piece: rotation of the beam just before the hinge, relative to a rigid
-    /// motion with the start of the span. It is a function of the deflection and the rotation at the start of the
-    /// span, and of the two functions in `before`.
+    /// For a hinge at the start of this piece: rotation of the beam just before the hinge, relative to a rigid body
+    /// that moves with the start of the span. It is a linear function of the deflection and the rotation at the
+    /// start of the span, and of the values d₁ and t in `before`.
     hinge: Option<Row<4>>,
 }
 
@@ -56,11 +57,11 @@ pub(crate) struct Span {
     pub whole: Element,
 }
 
-/// Index of the deflection d₁ at the node between two joined pieces, among the [six unknowns](self) (w, θ, D₁, D₂,
-/// d₁, t).
+/// Index of the deflection d₁ at the node between two joined pieces, among the [six unknowns](self)
+/// (w, θ, D₁, D₂, d₁, t).
 const D: usize = 4;
-/// Index of the rotation t at the node between two joined pieces, among the [six unknowns](self) (w, θ, D₁, D₂, d₁,
-/// t).
+/// Index of the rotation t at the node between two joined pieces, among the [six unknowns](self)
+/// (w, θ, D₁, D₂, d₁, t).
 const T: usize = 5;
 
 /// Rotational stiffness at a hinge below which the beam is a mechanism, relative to the bending stiffness of
@@ -150,7 +151,7 @@ impl Span {
 
     /// Calls `each` for every piece, from the last to the first, with four numbers. These are the deflection and
     /// the rotation of the piece's first end, and the deflection and the rotation of the other end relative to a
-    /// rigid motion with the first end. `v` contains these four numbers for the whole span.
+    /// rigid body that moves with the first end. `v` contains these four numbers for the whole span.
     pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;

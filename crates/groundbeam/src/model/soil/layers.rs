@@ -82,8 +82,8 @@ impl LayeredSoil {
 
     /// Parameter γ, the sum over all layers of the thickness divided by the decay length of the vertical
     /// displacement. The argument `rate` is r = ∫u'² dx/∫u² dx \[1/m²\], where u is the settlement of the ground's
-    /// surface. For one layer of thickness H and Poisson's ratio ν, γ is the parameter of Vallabhan and Das, γ² = r
-    /// H² (1 − 2ν)/(2(1 − ν)).
+    /// surface. For one layer of thickness H and Poisson's ratio ν, γ is the parameter of Vallabhan and Das,
+    /// γ² = r H² (1 − 2ν)/(2(1 − ν)).
     pub fn gamma(&self, rate: f64) -> f64 {
         self.layers.iter().map(|layer| layer.decay(rate)).sum()
     }
