@@ -9,12 +9,12 @@ pub enum Method {
     /// mesh.
     #[default]
     Exact,
-    /// Newton's method for the discrete problem (5.10), (5.11), with ground forces at the nodes as in (5.5).
-    /// The method minimises a convex energy.
+    /// Newton's method for the discrete contact problem (5.10), (5.11) of Kikuchi's paper, with concentrated contact
+    /// forces at the nodes as in (5.5). The method minimises a convex energy.
     ActiveSet,
-    /// Projected successive over-relaxation: (5.17) with (5.18) of the paper.
+    /// Projected successive over-relaxation: (5.17) with (5.18) of Kikuchi's paper.
     Psor,
-    /// Uzawa's iteration of the paper, (5.14)–(5.17).
+    /// Uzawa's iteration, (5.14)–(5.17) of Kikuchi's paper.
     Uzawa,
 }
 
@@ -40,7 +40,8 @@ pub struct Options {
     pub method: Method,
     /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts of the
     /// model add nodes. [`Method::ActiveSet`] doubles the number while its iteration does not converge. On Winkler
-    /// ground, it also doubles the number while the energy gap exceeds the strain energy. [`Method::Exact`] ignores
+    /// ground, it also doubles the number while the certificate's bound of the energy of the error exceeds the strain
+    /// energy. [`Method::Exact`] ignores
     /// the number.
     pub elements: usize,
     /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].
@@ -67,7 +68,8 @@ impl Default for Options {
     }
 }
 
-/// The initial pressure of Uzawa's iteration, (5.15), and of PSOR.
+/// The initial pressure of two iterations: Uzawa's iteration, (5.15) of Kikuchi's paper, and projected successive
+/// over-relaxation (PSOR).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Start {
     /// The pressure of the bilateral problem, with tensile pressures set to zero.

@@ -2,8 +2,8 @@
 //!
 //! | [`Soil`] | data | results |
 //! |---|---|---|
-//! | `Vlasov` | layers of elastic soil on rock, and γ | k and μ |
-//! | `ModifiedVlasov` | the same layers; γ from the solution | k and μ |
+//! | `Vlasov` | layers of elastic soil on rock, and the decay parameter γ of the settlement over the depth | k and μ |
+//! | `ModifiedVlasov` | layers of elastic soil on rock; γ follows from the solution | k and μ |
 //! | `Vesic`, `Biot`, `MeyerhofBaike`, `Selvadurai` | a modulus and Poisson's ratio | k |
 //! | `TerzaghiClay`, `TerzaghiSand` | a plate load test | k |
 //!

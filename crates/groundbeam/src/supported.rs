@@ -1,4 +1,4 @@
-//! Table that states which features of a model each way of solving supports.
+//! Table that states which features of a model each solution method supports.
 //!
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};
@@ -13,7 +13,7 @@ use crate::model::refused::{self, Refusal};
 use crate::model::{Load, Model, Part, Problem};
 use crate::options::{Method, Options};
 
-/// A way to solve a model.
+/// A solution method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
     /// The exact method, [`Method::Exact`].
@@ -29,11 +29,11 @@ pub enum Way {
 }
 
 impl Way {
-    /// All ways of solving, in the order of the table's columns.
+    /// All solution methods, in the order of the columns in the table of features and methods.
     pub const ALL: [Way; 5] =
         [Way::Exact, Way::ActiveSet, Way::Iteration, Way::Nodes, Way::LoadFactors];
 
-    /// The way of solving that the options select by their method.
+    /// The solution method that the options select.
     pub(crate) fn of(options: &Options) -> Self {
         match options.method {
             Method::Exact => Way::Exact,
@@ -43,7 +43,7 @@ impl Way {
     }
 }
 
-/// A feature of a model that some ways of solving do not support.
+/// A feature of a model that some solution methods do not support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feature {
     /// Compression above the buckling load of the beam without the ground, with a local equilibrium.
@@ -63,7 +63,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// All features, in the order of the table's rows and of the checks.
+    /// All features, in the order of the rows in the table of features and methods, and of the checks.
     pub const ALL: [Feature; 7] = [
         Feature::LocalEquilibrium,
         Feature::NoShearLayer,
@@ -74,8 +74,8 @@ impl Feature {
         Feature::Varying,
     ];
 
-    /// Row of the table for this feature. For each way in [`Way::ALL`] it contains the error for this feature, or
-    /// `None` if the way supports the feature.
+    /// Row of the table for this feature. For each method in [`Way::ALL`] it contains the error for this feature, or
+    /// `None` if the method supports the feature.
     const fn row(self) -> [Option<&'static Refusal>; 5] {
         use refused::*;
         let yes = None;
@@ -104,8 +104,8 @@ impl Feature {
         }
     }
 
-    /// Finds the part of a model that has this feature, and the name of the field with the feature in this part.
-    /// `is_local` states whether the equilibrium of the model is local.
+    /// Finds the part of a model that has the feature `self`, and the name of the field that contains the feature.
+    /// `is_local` states whether the equilibrium of the model is only a local minimum of the energy.
     fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
         match self {
             Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),
@@ -131,13 +131,13 @@ impl Feature {
     }
 }
 
-/// Returns the code of the error for a feature that this way of solving does not support; `None` if it supports the
-/// feature.
+/// Returns the code of the error for a feature that this solution method does not support; `None` if the method
+/// supports the feature.
 pub fn refusal(feature: Feature, way: Way) -> Option<&'static str> {
     feature.row()[way as usize].map(|refusal| refusal.code)
 }
 
-/// Refuses a model with a feature that the way of solving does not support.
+/// Returns an error if the model has a feature that the solution method `way` does not support.
 pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error> {
     for feature in Feature::ALL {
         if let Some(refusal) = feature.row()[way as usize]
@@ -164,7 +164,7 @@ fn without_shear_layer(model: &Model) -> Option<Part> {
 mod tests {
     use super::*;
 
-    /// Each way of solving has its own column of the table. The exact method supports every feature.
+    /// The table of features has one column for each solution method. The exact method supports every feature.
     #[test]
     fn the_table_has_a_column_for_each_way_of_solving() {
         for (column, way) in Way::ALL.into_iter().enumerate() {

@@ -9,7 +9,8 @@ pub(crate) struct Stand {
     pub moment: f64,
     /// Sum of the stiffnesses of the ground outside an end of the beam and of a stabilising spring.
     pub spring: f64,
-    /// Force of the ground outside an end and of a stabilising spring at zero deflection.
+    /// Force on the node at zero deflection, from the ground outside the end of the beam and from a stabilising
+    /// spring, positive downwards.
     pub push: f64,
     /// Translational stiffness of the support.
     pub support: f64,
@@ -25,7 +26,7 @@ pub(crate) struct Stand {
 
 impl Stand {
     /// Collects the loads, supports, hinge and springs at a node of a grid, without the ground outside the beam. If
-    /// `mirrored` is true, the moment is reflected for the sweep from the right.
+    /// `mirrored` is true, the sign of the moment is reversed, for the elimination from the right end to the left.
     pub fn at(
         grid: &Grid,
         node: usize,

@@ -1,17 +1,17 @@
-//! Stretches of the beam for a sweep: rows of bonded elements, and spans out of contact condensed to one element.
+//! Stretches of the beam for the elimination from node to node: rows of equal elements in contact, and spans out of contact.
 
 use super::form::Form;
 use super::quadratic::Quadratic;
 use super::stand::Stand;
 use crate::element::element::Element;
 
-/// Progress of a sweep.
+/// Progress of the elimination from one end of the beam.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Reached {
     pub stretch: usize,
-    /// Number of elements crossed in the current stretch.
+    /// Number of elements in the current stretch that the elimination has already processed.
     pub within: usize,
-    /// Number of elements crossed in all stretches.
+    /// Number of elements in all stretches that the elimination has already processed.
     pub elements: usize,
 }
 
@@ -31,8 +31,8 @@ pub(crate) struct Stretch {
     /// Energy of the first element in the variables (y₁, y₂, e₁, e₂) of [`form`](super::form). `None` for a row
     /// whose first node has no support.
     pub(super) first: Option<Quadratic<4>>,
-    /// Rotation before a hinge at the first node as a linear function: the coefficients of the deflection and of
-    /// the rotation after the hinge, then the constant.
+    /// Array [a, b, c] if the first node has a hinge with the deflection w. The rotation just before the hinge, in
+    /// the direction of the elimination, is a w + b θ + c with the rotation θ just after the hinge.
     pub(super) turned: Option<[f64; 3]>,
     is_span: bool,
 }
@@ -69,7 +69,8 @@ const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
     [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 
 impl Quadratic<4> {
-    /// Energy of the first element of a row, without the ground springs `shunt` at its two ends.
+    /// Returns the energy of the first element that `form` describes, in the variables (y₁, y₂, e₁, e₂) of
+    /// [`form`](super::form). The two ground springs under the ends of this element (`Form::shunt`) are not included.
     fn of(form: &Form) -> Self {
         let [yy, y1, y2] = form.m;
         let [e11, e12, e22] = form.e;
@@ -79,8 +80,8 @@ impl Quadratic<4> {
     }
 }
 
-/// Elements of equal stiffness that a sweep crosses together, with the index of the first element and memory for
-/// their back-substitution coefficients.
+/// Consecutive elements of equal stiffness that the elimination processes in one call. `first` is the index of the
+/// first element in its stretch; `gains` is memory for the back-substitution coefficients of the elements.
 pub(super) struct Elements<'a> {
     pub form: &'a Form,
     pub first: usize,
@@ -92,8 +93,9 @@ pub(super) struct Elements<'a> {
 pub(crate) struct Side {
     pub stretches: Vec<Stretch>,
     pub(super) gains: Vec<Gain>,
-    /// For each stretch, the deflection and the rotation of its first node and the two deformations of its first
-    /// element.
+    /// For each stretch, the deflection and the rotation of its first node, and the deformation (d₁, d₂) of its first
+    /// element. The deformation is the deflection and the rotation of the far end relative to a rigid motion with the
+    /// first node.
     pub shapes: Vec<[f64; 4]>,
 }
 
@@ -103,7 +105,7 @@ impl Side {
         self.shapes.clear();
     }
 
-    /// The next `steps` elements that the sweep crosses.
+    /// The next `steps` elements that the elimination processes.
     pub(super) fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
         Elements {
             form: &self.stretches[reached.stretch].form,

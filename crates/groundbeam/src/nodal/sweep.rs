@@ -14,8 +14,9 @@ use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
 use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 
-/// Coefficients S₁₁, S₁₂, S₂₂, r₁, r₂ of the condensed energy ½ xᵀSx − rᵀx of a node. The displacements x are (w,
-/// Lθ) within a stretch of element length L, and (w, θ) between stretches.
+/// Coefficients S₁₁, S₁₂, S₂₂, r₁, r₂ of the energy ½ xᵀSx − rᵀx of the eliminated part of the beam, as a function of
+/// the displacements x of the last node of this part. In a row of equal elements of length L, x = (w, Lθ); elsewhere
+/// x = (w, θ).
 type Behind = [f64; 5];
 
 /// Sweeps from both ends to the meeting node. Returns the deflection w of the meeting node and the rotations to
@@ -110,8 +111,8 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     }
 }
 
-/// Crosses the spans and the first elements after supports, up to the next row of equal elements. Returns the
-/// number of elements left in this row, or 0 if the sweep has reached the meeting node.
+/// Eliminates spans out of contact, and the first element after each support, until a row of equal elements follows.
+/// Returns the number of elements left in this row; 0 at the node where the eliminations from both ends meet.
 fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, NotSolved> {
     while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
         if reached.within == 0 {
@@ -146,9 +147,10 @@ fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), NotSolved> {
     Ok(())
 }
 
-/// Crosses one element with the energy `element` in (y₁, y₂, e₁, e₂), from a node that may have a support. For
-/// deflection and rotation separately, either the displacement of the node or the deformation of the element is
-/// eliminated, whichever has the larger stiffness. This avoids differences of large stiffnesses.
+/// Eliminates the first node of an element; this node may have a support. `element` is the energy of the element in
+/// the variables (y₁, y₂, e₁, e₂) of [`form`](super::form). For deflection and rotation separately, either the
+/// displacement of the node or the deformation of the element is eliminated, whichever has the larger stiffness. This
+/// avoids differences of large stiffnesses.
 fn cross_first(
     state: &mut Behind,
     stretch: &Stretch,
@@ -194,7 +196,8 @@ fn leave(state: &mut Behind, stretch: &Stretch) {
     state[4] *= length;
 }
 
-/// Crosses the same number of elements in each sweep. All elements of one sweep have equal stiffness.
+/// Eliminates the next elements of one row, or of one row in each of the two sweeps (from the left and from the right
+/// end) at the same time. All elements of one row have equal stiffness.
 #[inline(always)]
 fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],

@@ -22,9 +22,9 @@ pub(crate) const OTHER_EXTREME: f64 = 1e-6;
 pub(crate) const SWEEPS: f64 = 1e-11;
 /// Displacement of a contact edge that counts as rounding error, as a fraction of the beam's length.
 pub(crate) const EDGES: f64 = 1e-12;
-/// Largest stability margin at the end of an equilibrium path that is accepted as a limit point, where the exact
-/// margin is zero. The margin is proportional to the square root of the distance from the limit point. The limit
-/// point is computed to ten digits.
+/// The end of an equilibrium path is accepted as a limit point if its stability margin is at most this value. At the
+/// exact limit point the margin is zero. Near this point the margin is proportional to the square root of the
+/// distance from it, and the computed limit point has ten correct digits.
 pub(crate) const BRANCH: f64 = 1e-3;
 /// Relative change of the ratio ∫u'²/∫u² of the settlement u, between two solutions, at which the iteration for the
 /// soil constants stops.

@@ -11,7 +11,8 @@ use crate::solution::fields::{
 };
 
 impl Candidate {
-    /// Computes the candidate of a deflection with its contact set, in the memory of a workspace.
+    /// Computes a candidate solution (fields, contact zones and forces) from the deflection and the contact set
+    /// `found`. The lists of the candidate reuse the memory of `workspace`.
     pub fn of(model: &Model, found: &ContactState, workspace: &mut Workspace) -> Self {
         let surface = match &found.surface {
             Some(given) => given,

@@ -54,7 +54,7 @@ impl Candidate {
     }
 }
 
-/// Memory of candidates that can be reused.
+/// Memory of a candidate solution that is no longer needed, for reuse by the next candidate.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     model: Option<Model>,

@@ -21,8 +21,8 @@ impl Candidate {
         let mut found: Option<[ValueAt; 2]> = None;
         for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(of_piece.ends) {
-                // An end value that may be the extreme within rounding error is recomputed by `one`, as in the
-                // results.
+                // If the value at an end of a piece may be the extreme within rounding error, it is recomputed with
+                // the function `one`, which gives exactly the value in the results.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
                     widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
                 }
@@ -52,7 +52,7 @@ impl Candidate {
     }
 }
 
-/// Range for a candidate without pieces: both extremes are zero.
+/// Range of a field if the list of pieces is empty: both extremes are zero.
 const NOTHING: Range =
     Range { min: Extreme { x: 0.0, value: 0.0 }, max: Extreme { x: 0.0, value: 0.0 } };
 
@@ -146,7 +146,7 @@ mod tests {
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // The range also keeps the leftmost of several equal values within one piece.
+        // If several values within one piece are equal, both extremes are at the leftmost position too.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
             widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
@@ -168,7 +168,8 @@ mod tests {
             let mut all: Vec<SolutionPiece> =
                 (0..1 + round % 5).map(|i| piece([i as f64, i as f64 + 1.0])).collect();
             for of in &mut all {
-                // Some pieces have much smaller values than the others, so their roots are not needed.
+                // Some pieces have much smaller values than the others. They cannot contain an extreme, so `range`
+                // does not compute the roots of their derivatives.
                 let size = if digit() > 1.0 { 1.0 } else { 0.0625 };
                 let mut some = |least: usize| -> crate::numeric::polynomial::Coefficients {
                     let count = least + (digit() + 4.0) as usize / 2;
@@ -195,8 +196,8 @@ mod tests {
         }
     }
 
-    /// If end values differ only in the last bits, the range contains the smallest and the largest value exactly as
-    /// the results contain them.
+    /// If the values at the ends of the pieces differ only in the last bits, the extremes of the range are bit for
+    /// bit the smallest and the largest of these values in the results.
     #[test]
     fn ends_within_rounding_error_are_compared_exactly() {
         // The sums 0.1 + 0.2 + 0.3 and 0.3 + 0.2 + 0.1 have different rounding errors.

@@ -65,13 +65,13 @@ impl Field {
         Field::Pressure,
     ];
 
-    /// The fields that results of a beam list, in the order of the list. The rotation is omitted if the beam
-    /// has no shear deformation, because it then equals the slope.
+    /// The fields that are listed in the results of a beam, in the order of the list. The rotation is omitted if the
+    /// beam has no shear deformation, because it then equals the slope.
     pub fn of(beam: &Beam) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(beam.shears())
     }
 
-    /// The fields that results list. The rotation is included if `shears` is true.
+    /// The fields that are listed in results. The rotation is included only if `shears` is true.
     pub(crate) fn listed(shears: bool) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::ALL.into_iter().filter(move |field| shears || *field != Field::Rotation)
     }

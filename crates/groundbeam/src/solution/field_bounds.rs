@@ -112,8 +112,8 @@ pub(crate) mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The terms 3s² and −5s⁴ change the difference to the line between the end values by −3 to 5. The terms −4s³
-    /// and 6s⁵ change this difference by at most 10.
+    /// The test bounds 1 + 2s + 3s² − 4s³ − 5s⁴ + 6s⁵ for −1 ≤ s ≤ 1. The terms 3s² and −5s⁴ contribute −3 to 5 to
+    /// the deviation from the straight line between the end values, the terms −4s³ and 6s⁵ at most 10 in magnitude.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
@@ -136,8 +136,8 @@ pub(crate) mod tests {
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
-    /// Slope and shear force are derivatives with respect to x. They are the derivatives with respect to s
-    /// divided by half the length of the piece. In contact, the settlement is w − g₀.
+    /// Slope and shear force are derivatives with respect to x: the derivatives with respect to s divided by half the
+    /// length of the piece. In contact, the settlement is the deflection w minus the initial gap g₀.
     #[test]
     fn the_hull_of_each_field() {
         let mut of = piece([0.0, 4.0]);

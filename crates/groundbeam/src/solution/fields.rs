@@ -139,13 +139,15 @@ pub(crate) struct SolutionPiece<R = f64> {
     pub pressure: Coefficients<R>,
     /// Settlements u − u₀ at both ends of a piece out of contact, with the free-field settlement u₀; `None` in contact.
     pub open: Option<[R; 2]>,
-    /// Coefficients of the settlement u(s) − u₀(s) on varying ground out of contact; otherwise empty.
+    /// Coefficients of the settlement u(s) − u₀(s) on varying ground out of contact, with the free-field settlement
+    /// u₀; otherwise empty.
     pub settlement: Coefficients<R>,
 }
 
 impl<R: Real> SolutionPiece<R> {
-    /// Creates a piece on a part of a cell from the coefficients of w and φ in this cell. `presses` states whether the
-    /// contact pressure is distributed.
+    /// Creates a piece on a part of a cell from the coefficients of w and φ in this cell. `presses` states whether a
+    /// piece in contact has a distributed contact pressure; it is false if all contact forces are concentrated at
+    /// nodes.
     pub fn of(
         cell: &Cell<R>,
         part: &SurfacePart<R>,
@@ -225,8 +227,8 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// Settlement of open ground and its derivative, due to the contact pressure outside the open part. They do not
-    /// include the free-field settlement.
+    /// Settlement u of the ground at s on a piece out of contact, and its derivative u′ with respect to x, both due
+    /// to the contact pressure outside this piece. The free-field settlement is not included.
     pub(crate) fn pressed(&self, s: f64, [left, right]: [R; 2]) -> [R; 2] {
         if [left, right] == [R::ZERO; 2] {
             return [R::ZERO; 2];

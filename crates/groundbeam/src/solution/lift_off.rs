@@ -28,7 +28,7 @@ impl LiftOff {
 }
 
 impl Solution {
-    /// The open parts of the beam with their largest gaps, from left to right.
+    /// The parts of the beam that are out of contact, with their largest gaps, from left to right.
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
         // With nodal contact there are narrow gaps between neighbouring nodes. Gaps within a contact zone do

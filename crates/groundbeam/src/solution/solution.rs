@@ -33,9 +33,10 @@ pub struct Solution {
 /// Data of the iteration that computed the ground constants of a solution from the [soil](crate::soil) data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoilRounds {
-    /// γ, for soil layers.
+    /// Decay parameter γ of the settlement over the depth; `None` for soil data without layers.
     pub gamma: Option<f64>,
-    /// Number of iterations. It is one unless γ follows from the solution.
+    /// Number of iterations. It is one unless the decay parameter γ of the settlement over the depth, and with it k
+    /// and μ, follows from the solution.
     pub rounds: usize,
 }
 
@@ -117,8 +118,9 @@ impl Solution {
         self.candidate.end_forces
     }
 
-    /// Concentrated contact forces inside the beam. They occur where μ jumps, at corners of the ground, and at
-    /// point contacts. With nodal pressures (5.5), all contact forces inside the beam are concentrated.
+    /// Concentrated contact forces between the ends of the beam. They occur where μ jumps, at kinks of the initial
+    /// gap, and at point contacts. With nodal pressures as in (5.5) of Kikuchi's paper, all contact forces between
+    /// the ends are concentrated.
     pub fn concentrated_forces(&self) -> &[ConcentratedForce] {
         &self.candidate.concentrated
     }

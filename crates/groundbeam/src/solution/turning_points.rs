@@ -98,8 +98,8 @@ mod tests {
         let mut of = piece([1.0, 5.0]);
         // For w = s³ − 3/16 s, w′ vanishes at s = ±1/4, and w″ vanishes at s = 0.
         of.deflection = [0.0, -0.1875, 0.0, 1.0][..].into();
-        // The moment M is first (s − 1/2)² and later (s − 1/2)³. The shear force V = M′ turns where M″
-        // vanishes.
+        // The test uses first M = (s − 1/2)², then M = (s − 1/2)³. The shear force V = M′ has a turning point where
+        // M″ changes its sign.
         of.moment = [0.25, -1.0, 1.0][..].into();
         of.pressure = [0.0, 1.0, 1.0][..].into();
         near(&turning_points(&of, Field::Deflection), &[-0.25, 0.25]);
@@ -110,8 +110,8 @@ mod tests {
         near(&of.candidates(Field::Pressure), &[-1.0, -0.5, 1.0]);
         of.moment = [-0.125, 0.75, -1.5, 1.0][..].into();
         near(&turning_points(&of, Field::ShearForce), &[0.5]);
-        // In contact the settlement u = w − g₀ has turning points where dw/ds = 3s² − 3/16 equals half the length
-        // times the slope of the gap.
+        // In contact the settlement is u = w − g₀. It has turning points where dw/ds = 3s² − 3/16 equals dg₀/ds, the
+        // slope of the initial gap times half the length of the piece; s runs from −1 to 1 along the piece.
         of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
         near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
         // The gap is zero everywhere, so it has no turning point.
@@ -135,7 +135,7 @@ mod tests {
             let lowest = candidate(vec![of]).range(Field::Settlement).min;
             near(&[lowest.x, lowest.value], &[a, 1.0]);
         }
-        // Open ground with a monotone u has no turning point.
+        // On a piece out of contact, a monotone settlement u of the ground has no turning point.
         let mut falling = piece([0.0, 4.0]);
         falling.open = Some([1.0, exp(-4.0)]);
         near(&turning_points(&falling, Field::Settlement), &[]);
@@ -171,7 +171,8 @@ mod tests {
         near(&turns(&|s| (s - 0.3) * (s + 0.77)), &[-0.77, 0.3]);
         near(&turns(&|s| (0.3 - s) * (s + 0.99)), &[-0.99, 0.3]);
         near(&turns(&|s| (s - 0.3) * (s - 0.99)), &[0.3, 0.99]);
-        // The zeros −1/2, 1/4 and 0 are multiples of 1/8, which are the points at which the signs are compared.
+        // The signs are compared at the multiples of 1/8. The zeros −1/2 and 1/4 of this function, and the zero of
+        // the next one, are such points.
         near(&turns(&|s| (s - 0.25) * (s + 0.5)), &[-0.5, 0.25]);
         near(&turns(&|s| s), &[0.0]);
         near(&turns(&|s| 1e-200 * (s - 0.3)), &[0.3]);

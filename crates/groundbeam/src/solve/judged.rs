@@ -28,8 +28,8 @@ impl<'a> Judged<'a> {
         certificate.relative_gap()
     }
 
-    /// Returns the last checked candidate and its certificate. The methods with a mesh check no candidate.
-    /// Their candidate is computed from `found`.
+    /// Returns the last checked candidate and its certificate. If the iteration has checked no candidate, as in the
+    /// methods with a mesh, both are computed from `found`.
     pub fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
         self.last.take().unwrap_or_else(|| self.certified(found))
     }

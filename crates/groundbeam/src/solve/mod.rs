@@ -216,8 +216,8 @@ fn solve_local(
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
 }
 
-/// Decides whether an equilibrium exists. It solves the model only if the compression makes the equilibrium
-/// local.
+/// Decides whether an equilibrium exists. The model is solved only if its energy is not convex because of the axial
+/// compression, so that an equilibrium can be only a local minimum of the energy.
 ///
 /// # Errors
 ///
@@ -227,7 +227,8 @@ pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model, &Options::default())?.existence)
 }
 
-/// Refuses an invalid model, and returns the assessment before the solve.
+/// Returns an error for an invalid model, otherwise the results of the checks before the solve: whether an
+/// equilibrium exists, and how stable it is.
 pub(crate) fn check(model: &Model, options: &Options) -> Result<Assessment, Error> {
     refuse_invalid(model)?;
     let model = &*model.on_given_ground();
@@ -261,7 +262,7 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
         Err(Error::NotConverged(Stopped { method: options.method, iterations, why }))
     };
     let gap = certificate.relative_gap();
-    // The gap of a method with a mesh depends on the mesh, so this gap has no limit.
+    // The energy gap of a method with a mesh depends on the mesh, so the gap is limited only for the exact method.
     let limit = if options.method == Method::Exact { GAP } else { f64::MAX };
     if gap <= limit {
         Ok(())
