@@ -96,7 +96,8 @@ def topology_of(model, contact):
 
 
 def parameters(model):
-    """Yields the name and the size of each parameter of a model, and a function that adds a change to it."""
+    """Yields for each parameter of a model its name, its size, and a function that adds a given change to the
+    parameter."""
 
     def attribute(name):
         return lambda m, d: setattr(m, name, mpf(getattr(m, name)) + d)

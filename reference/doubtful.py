@@ -100,7 +100,7 @@ def from_answer(model, title):
     return Topology([list(pair) for pair in zip(edges[::2], edges[1::2])], [])
 
 
-# ---- stretches whose contact is below the rounding error ------------------------------------------
+# ---- stretches where contact force or clearance is smaller than the rounding error -----------------
 
 
 def integral(f, a, b):
@@ -147,7 +147,7 @@ def record(title):
     model = Model.from_toml(read(title).to_toml())
     at, l = next(s.at for s in model.supports if s.kind == "fixed"), model.length
     if title == "Extreme 13":
-        # The stretch has the length of the gaps in the result of one version of the contact iteration.
+        # One version of the contact iteration returned gaps of this length at the support.
         a, b = at - 4e-11 * l, at + 4e-11 * l
         solution, bonded = under_support(model, title)
     else:

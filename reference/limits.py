@@ -89,7 +89,8 @@ def rigid_pasternak(m):
 
 
 def rigid_kikuchi(offset):
-    """A rigid beam under a force and a moment M0 at its centre. The left end lifts off if M0 > 1/2 - 4/27."""
+    """A rigid beam of length 1 on ground with k = mu = 1, under the force 1 and a moment M0 at its centre. The left end
+    lifts off if M0 > 1/2 - 4/27."""
     moment = float(mpf(1) / 2 - mpf(4) / 27) + offset
     loads = [Load("point", 1.0, 0.5), Load("moment", moment, 0.5)]
     model = Model(1.0, RIGID, 1.0, 1.0, loads=loads)

@@ -68,7 +68,8 @@ def free_rays(model):
 
 
 def stands(model, margin=0.02):
-    """Whether an equilibrium exists with the given margin. The margin is relative to the size of the loads."""
+    """Whether an equilibrium exists: in each free upward rigid motion of `free_rays`, the work of the loads is negative
+    and its magnitude exceeds `margin` times the size of the loads."""
     size = load_size(model)
     return size > 0 and all(work(model, *ray) < -margin * size for ray in free_rays(model))
 
@@ -129,7 +130,8 @@ def random_loads(r, l, count, unit=1.0, upward=0.2, moments=True):
 
 
 def loaded(r, model, most=6, upward=0.2, weight=0.4):
-    """Adds 1 to `most` random loads to the model, and with the probability `weight` a self-weight."""
+    """Adds at least one and at most `most` random loads to the model and, with the probability `weight`, a
+    self-weight."""
     unit = log_uniform(r, 0.1, 10.0)
     model.loads = random_loads(r, model.length, r.randint(1, most), unit, upward)
     if r.random() < weight:
@@ -249,9 +251,10 @@ def gap(r, index):
 
 # ---- hard models -------------------------------------------------------------------------------------
 
-# Models with a load at a contact edge: the first load of the list in each row. The sixth number of each row is the
-# applied moment, found by the secant method. It moves the edge to within 1e-16 of the load. In the second row the edge
-# has a distance of about 3e-9 from the load.
+# Models with a load at a contact edge. Each row contains l, EI, k, mu, the common position of a unit force and of a
+# moment, this moment, and further loads, the first of which is at the contact edge. The secant method found the moment
+# for which the distance between this load and the edge is at most 1e-16. Only in the second row the moment is smaller
+# by 1e-9, and the distance is about 3e-9.
 EDGE_LOADS = [
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),
@@ -309,7 +312,7 @@ def alternating(r, count):
 
 
 def heels(r, kind):
-    """A model with contact at single points, such as the ends of the beam or a corner of the ground."""
+    """A model with contact at single points, such as the ends of the beam or a kink of the initial gap."""
     model = uniform_base(r, (0.3, 1.0), (1.0, 4.0))
     l = model.length
     f = short(0.2 * model.k * l)

@@ -61,7 +61,7 @@ def solve_limits(log):
             for what, value, off in limits.compare(record, checks)
         ]
         records.append(record)
-        print(f"{name} {len(record['closed_forms'])} closed forms hold", flush=True)
+        print(f"{name}: {len(record['closed_forms'])} closed-form results agree with the solution", flush=True)
     write(HERE / "answers" / "limits.json", records)
 
 

@@ -30,7 +30,8 @@ FIELDS = ("deflection", "slope", "moment", "shear_force", "settlement", "gap", "
 
 
 def bernstein(values, ends, x0):
-    """Returns the polynomial with the given control values on a segment, as coefficients of powers of x - x0."""
+    """Returns the coefficients of the powers of x - x0 of a polynomial with the given Bernstein coefficients on a
+    segment."""
     a, b = (mpf(e) for e in ends)
     n = len(values) - 1
     total = [mpf(0)] * (n + 1)
@@ -68,7 +69,7 @@ def plus(p, q):
 
 
 class Model:
-    """A model with the keys of a model file. EI, k and mu are lists of stretches (from, to, control values)."""
+    """A model with the keys of a model file. EI, k and mu are lists of segments (from, to, Bernstein coefficients)."""
 
     def __init__(self, **given):
         self.__dict__.update(given)

@@ -174,7 +174,8 @@ def evaluate(equation, x, shift=0):
 
 
 class System:
-    """Nodes and stretches of one model with one topology, and the linear equations for their coefficients."""
+    """Nodes and stretches of a model with given contact intervals, and the linear equations for the coefficients of the
+    solution on the stretches."""
 
     def __init__(self, model, topology):
         self.model, self.topology = model, topology

@@ -34,7 +34,8 @@ class CoarseSolution:
 
 
 def graded_mesh(model, elements, finest=1e-4):
-    """Creates an equidistant mesh that contains all breakpoints and is refined geometrically towards each breakpoint."""
+    """Creates a mesh of all breakpoints, equidistant nodes, and further nodes whose distances from the nearest
+    breakpoint form a geometric progression."""
     l = model.length
     fixed = model.breakpoints()
     points = set(fixed)
@@ -259,7 +260,7 @@ def _solve(model, x):
         L = _cholesky(K)
 
         def step(rc):
-            """Computes the Newton step. rc is the residual of the condition on the products of gap s and force p."""
+            """Computes the Newton step. rc is the residual of the complementarity condition of gap s and force p."""
             r = rd[:]
             for i in rows:
                 v = rc[i] / s[i] - p[i] / s[i] * rp[i]

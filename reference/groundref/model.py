@@ -157,7 +157,8 @@ class Model:
 
 
 def linear_load(model, kind, a, b, num):
-    """Returns the value at a and the slope of the sum of all distributed loads of `kind` on the stretch."""
+    """Returns the sum of all distributed loads of `kind` at the left end `a` of the stretch [a, b], and the slope of
+    this sum."""
     value, slope = num(0), num(0)
     middle = (a + b) / 2
     for load in model.loads:
@@ -169,7 +170,8 @@ def linear_load(model, kind, a, b, num):
 
 
 def initial_gap(model, a, b, num):
-    """Returns the value at a and the slope of the initial gap on the stretch."""
+    """Returns the initial gap at the left end `a` of the stretch [a, b], and the slope of the initial gap on this
+    stretch."""
     corners = model.gap
     if not corners:
         return num(0), num(0)

@@ -25,7 +25,8 @@ def number(v, scale=None):
 
 
 def position(x):
-    """Formats a position on the beam: a double as its shortest decimal, a free edge with 25 digits."""
+    """Formats a position on the beam: a double as its shortest decimal, any other position (a computed contact edge)
+    with 25 digits."""
     if mpf(float(x)) == x:
         return Number(repr(float(x)))
     return Number(mp.nstr(x, 25, min_fixed=-4, max_fixed=18))
@@ -196,7 +197,8 @@ def short(v):
 
 
 def to_json(records):
-    """Formats records as JSON with one key per line and each array on one line. The files are small and suit diffs."""
+    """Formats records as JSON with one key per line and each array on one line, so that the files are small and a diff
+    shows the changed values."""
 
     def write(v):
         if isinstance(v, Number):

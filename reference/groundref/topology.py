@@ -27,7 +27,8 @@ def anchors(model):
 
 
 def from_mesh(model, solution, shortest, least):
-    """The topology whose contact intervals are the runs of contact nodes on the mesh."""
+    """Returns the topology in which each group of consecutive mesh nodes in contact is one contact interval or contact
+    point."""
     x, touching = solution.x, list(solution.touching)
     close_small_openings(model, solution, touching, shortest, least)
     fixed, n = anchors(model), len(x)
@@ -94,7 +95,8 @@ def close_small_openings(model, solution, touching, shortest, least):
 
 
 def corrected(model, topology, violation):
-    """The topology after a correction of the worst violation."""
+    """Returns the topology with the contact corrected at a violation of a sign condition: negative pressure, gap or
+    point force."""
     kind, a, b, _ = violation
     fixed = sorted(mpf(x) for x in anchors(model))
     topology = topology.copy()
@@ -159,7 +161,8 @@ def with_contact(topology, a, b, fixed):
 
 
 class Solution:
-    """A solved system that satisfies all sign conditions, with data of the search."""
+    """A solved system that satisfies all sign conditions, with the scales of its fields, the number of corrections of
+    the contact intervals and the mesh solution."""
 
     def __init__(self, system, scales, worst, corrections, mesh):
         self.system, self.scales, self.worst = system, scales, worst

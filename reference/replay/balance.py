@@ -44,7 +44,7 @@ def pushes(r, i):
 
 
 def residuals(r):
-    """Computes the residuals (5) of force and moment at the nodes."""
+    """Computes the residuals of force and moment at the nodes, equation (5) of docs/proof.md."""
     r.pushing = [pushes(r, i) for i in range(len(r.nodes))]
     r.at_node = []
     for i, node in enumerate(r.nodes):
@@ -77,7 +77,7 @@ def turned_in(r, a, b):
 
 
 def gamma(r, i):
-    """Returns γ, the largest relative pressure change |λ| on a piece."""
+    """Returns γ, the largest |λ| on a piece. The claimed pressure times 1 + λ is in equilibrium with the loads."""
     return largest(r.factor[i], r.factor[i + 1])
 
 
@@ -200,10 +200,11 @@ def give_back(r, factors):
             r.added[i] = length * load / 4 + couple
             r.added_shear[i] = load + couple / length
             r.steep[i] = upper(slope)
-    # `drawn` is |β|, the part of the transverse force that the axial tension carries in addition to Pw′.
+    # `drawn` is |β| on each piece. The axial tension P carries the transverse force Pw′ + β, where β is proportional to
+    # the slope of the pressure factor λ.
     r.drawn = [r.carrier * steep for steep in r.steep]
     if r.carrier > 0:
-        r.shows("the axial force carries a part of the loads, but it is no tension", r.tension is not None)
+        r.shows("the axial force carries a part of the transverse loads, but it is not tensile", r.tension is not None)
     for i, piece in enumerate(r.pieces):
         if piece.touches:
             r.shows(f"the relative pressure change |lambda| on piece {i} is not below 1/2", gamma(r, i) < arb("0.5"))

@@ -1,5 +1,5 @@
-"""Computes the stiffness K and the load T of the ground outside the beam from the stretches of this ground; the flux
-at the beam's end is Ku − T."""
+"""Computes for the ground outside the beam the stiffness K, and the force T at the beam's end from loads on this
+ground. Both follow from the stretches of this ground. The flux at the beam's end is Ku − T."""
 
 from flint import arb
 
@@ -13,12 +13,13 @@ def check(r):
         side = line["side"]
         stiffness, pushed = seen(line["stretches"], line["held"])
         r.meets(f"the stiffness K of the ground outside the beam, side {side}", stiffness - r.outside[side])
-        r.meets(f"the load T of the ground outside the beam, side {side}", pushed - r.pushed[side])
+        r.meets(f"the force T at the beam's end from loads on the ground outside, side {side}", pushed - r.pushed[side])
         r.outside[side], r.pushed[side] = stiffness, pushed
 
 
 def seen(stretches, held):
-    """Returns the stiffness S and the load T of the ground at the beam's end. Each stretch, from the far end on,
+    """Returns the stiffness S of the ground outside the beam, and the force T at the beam's end from loads on this
+    ground. Each stretch, from the far end on,
     replaces S by K(S + Kt)/(K + St) with K = √(kμ) and t = tanh(h√(k/μ)), and T by a similar formula of
     `outside.rs`."""
     stiffness, pushed, fixed = arb(0), arb(0), held

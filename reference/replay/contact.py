@@ -19,20 +19,23 @@ class Edge:
 
 
 class Contact:
-    """Proves the contact set on all shear layers from the error bounds and the claimed edges of one round."""
+    """Proves the contact set where the ground has a shear layer, from error bounds and claimed contact edges. With
+    shear deformation of the beam, the proof has several rounds with smaller and smaller bounds."""
 
     def __init__(self, r, errors, edges):
         self.r, self.errors, self.at = r, errors, {}
         for edge in edges:
-            # In the first round the log can have two entries for one edge, one for each adjacent piece. The larger
-            # of both outside distances is used, and the larger of both inside distances.
+            # In the first round of the proof the log can have two entries for one edge, one for each adjacent piece. An
+            # entry has the distances by which the exact edge may lie outside and inside the claimed contact region. The
+            # larger of both outside distances is used, and the larger of both inside distances.
             other = self.at.setdefault((edge.node, edge.side), edge)
             other.outside, other.inside = other.outside.max(edge.outside), other.inside.max(edge.inside)
         self.edges = list(self.at.values())
         # `tolerance` is the error bound ε_a of the force at each touching node. `pressed` contains the nodes where a
         # positive contact force is proven.
         self.tolerance, self.pressed = [arb(0)] * len(r.nodes), set()
-        # `steep` contains, by node and side, the error bounds of the flux μu′ at the touching ends of open pieces.
+        # `steep` maps (node, side) to the error bound of the shear-layer force μu′ (u: ground surface) where a piece
+        # out of contact ends at a touching node.
         self.steep = {}
 
     def check(self):
@@ -86,7 +89,7 @@ class Contact:
                 elif (i, side) in zones:
                     interval[side] += (1 - 2 * side) * zones[i, side] / r.pieces[i].half
                     r.shows(
-                        f"(W3) the growth of g0 - w away from node {i + side} is not proven",
+                        f"it is not proven that g0 - w increases from zero with the distance from node {i + side}",
                         leaves_support(r, self.errors[i], i, side, interval[side]),
                     )
             limit = self.errors[i]["u"] + self.errors[i]["w"]
@@ -207,7 +210,8 @@ class Contact:
             steep = piece.shear.high * upper(clearance(r, j, piece.t[1 - side])[1])
         else:
             r.shows(
-                f"the interval of the edge at node {node} extends outside the contact region, but no open piece is there",
+                f"the interval of the contact edge at node {node} extends outside the contact region, but the beam is "
+                "not out of contact on the adjacent piece",
                 edge.outside == 0,
             )
         edge.beyond = [outer + steep if open_side else arb(0), negative_part(r.jump[node] - outer)]
@@ -264,14 +268,14 @@ def roughly(contact):
         if piece.touches:
             error = contact.errors[i]["p"]
             r.shows(
-                f"in the first round the pressure on piece {i} is not larger than its error bound",
+                f"in the first round of the proof the pressure on piece {i} is not larger than its error bound",
                 above(piece.pressure, piece.t, error),
             )
             for side in (0, 1):
                 theta = contact.at[i + side, side].inside
                 whole = theta * (1 + r.ROUNDING) >= piece.h
                 r.shows(
-                    f"in the first round the edge at node {i + side} is not proven",
+                    f"in the first round of the proof the contact edge at node {i + side} is not proven",
                     whole or opened(contact, i, side, theta),
                 )
             continue
@@ -280,8 +284,14 @@ def roughly(contact):
             theta = contact.at[i + side, 1 - side].outside
             interval[side] += (1 - 2 * side) * theta / piece.half
             if not r.touches[i + side]:
-                r.shows(f"in the first round node {i + side} has an edge, but does not touch the ground", theta == 0)
+                r.shows(
+                    f"in the first round of the proof node {i + side} is a contact edge, but does not touch the ground",
+                    theta == 0,
+                )
         clear = on(interval, lambda t: least(r, i, t, 0) > limit(contact, i))
-        r.shows(f"in the first round the clearance on piece {i} is not larger than its error bound", clear)
+        r.shows(
+            f"in the first round of the proof the clearance on piece {i} is not larger than its error bound",
+            clear,
+        )
     for node in range(len(r.nodes)):
         contact.tolerance[node] = INFINITE if r.touches[node] else arb(0)

@@ -71,6 +71,7 @@ def felt(r, i):
 
 
 def at_support(r, i):
-    """Returns the claimed w and φ at a node, from the adjacent piece that `felt` chooses."""
+    """Returns the claimed w and φ at a node, from the adjacent piece with the smaller coefficients of w (see
+    `felt`)."""
     piece, side = r.felt[i]
     return r.pieces[piece].ends(r.pieces[piece].w)[side], r.pieces[piece].ends(r.pieces[piece].rotation)[side]

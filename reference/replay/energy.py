@@ -10,7 +10,8 @@ from ground import root_g_at
 
 
 def check(r):
-    """Checks that the sum (11) is at most the logged bound E of the energy of the error, and stores its terms."""
+    """Checks that the sum (11) of docs/proof.md, a bound of the energy of the error, is at most the bound E in the log.
+    Stores the terms of the sum."""
     bent, r.turned, touching, pulled = arb(0), arb(0), arb(0), arb(0)
     bending = misfit = sheared = carried = arb(0)
     for i, piece in enumerate(r.pieces):
@@ -46,12 +47,14 @@ def check(r):
 
 
 def compression_misfit(r):
-    """Returns N_c, the bound of the residual of the compression N. It is zero without a compression."""
+    """Returns N_c, the bound in the energy norm of the transverse force Nc′ from the compression N and the slope c′ of
+    the closing deflection. N_c is zero without compression."""
     return arb(0) if r.sigma is None else ((1 - r.sigma) * -r.force * r.turned).sqrt()
 
 
 def moment_norm(r, i):
-    """Returns the bound (9) of (∫δ²)^½ on a piece, where δ is the moment that balances the residuals."""
+    """Returns the bound (9) of docs/proof.md for (∫δ²)^½ on a piece, where δ is the additional moment that balances the
+    residuals."""
     piece = r.pieces[i]
     h, (a, b), constant = piece.h, r.delta[i], piece.residual[0]
     square = h * (a * a + a * b + b * b) / 3 + constant * h**3 * (a + b) / 12 + constant * constant * h**5 / 120
@@ -60,14 +63,16 @@ def moment_norm(r, i):
 
 
 def shear_norm(r, i):
-    """Returns the bound (9a) of (∫δ′²)^½ on a piece, where δ is the moment that balances the residuals."""
+    """Returns the bound (9a) of docs/proof.md for (∫δ′²)^½ on a piece, where δ is the additional moment that balances
+    the residuals."""
     piece, (a, b) = r.pieces[i], r.delta_slope[i]
     h, rest = piece.h, piece.size(piece.residual, 1)
     return upper(h * (a * a + a * b + b * b) / 3).sqrt() + h.sqrt() * (h * rest / 2 + r.added_shear[i])
 
 
 def given_back(r, missed):
-    """Returns the bound (8) of twice the energy of the ground under the pressure change λp."""
+    """Returns the upper bound (8) of docs/proof.md for twice the energy of the ground under the pressure λp, by which
+    the claimed pressure p is changed for equilibrium."""
     total = arb(0)
     for i, piece in enumerate(r.pieces):
         if not piece.touches:

@@ -11,8 +11,8 @@ def check(r):
     of √g."""
     count = len(r.pieces)
     r.u = [None] * (count + 1)
-    # `along` is u on open pieces with varying k or μ. `missed` is a bound of the residual of u in the equation of the
-    # ground.
+    # `along` is the settlement u of the ground on pieces out of contact with varying k or μ. `missed` is a bound of
+    # the residual ku − (μu′)′ − q of u in the equation of the ground.
     r.along, r.missed = [None] * count, [arb(0)] * count
     # `flux` is the flux μu′ at both ends of each open piece.
     r.flux = [None] * count
@@ -134,7 +134,8 @@ def free_fluxes(piece):
 
 
 def fluxes(piece, left, right):
-    """Returns the flux μu′ (4) at both ends of an open piece without load."""
+    """Returns the flux μu′ at both ends of a piece that is out of contact and without load on the ground, by (4) of
+    docs/proof.md."""
     across, own = link(piece)
     return [across * (right - left) - own * left, across * (right - left) + own * right]
 
@@ -213,7 +214,8 @@ def flux(r, first, end, node, side):
 
 
 def root_g_at(r, node):
-    """Returns the smaller logged bound of √g of the pieces next to a node, with the settlement g under a unit force."""
+    """Returns the smaller of the bounds of √g in the log for the two pieces next to a node, where g is the settlement
+    of the ground under a unit force."""
     beside = [r.root_g[i] for i in (node - 1, node) if 0 <= i < len(r.pieces)]
     return min((high(x) for x in beside), key=float)
 

@@ -130,7 +130,7 @@ class Node:
         # Weights of the supports in the redistribution of residual forces; any nonnegative weights are valid.
         self.weights = dict(zip(("rigid", "spring", "clamp", "turning"), map(exact, line["weights"])))
         if not all(weight >= 0 for weight in self.weights.values()):
-            raise NotReplayed("a support has a negative weight")
+            raise NotReplayed("a weight for the redistribution of residual forces to a support is negative")
         if not (self.ground_force >= 0):
             raise NotReplayed("a load on the ground acts upward")
 
@@ -164,10 +164,13 @@ class Problem(Checks):
         self.sigma = optional(problem["sigma"], exact)
         if (self.force < 0) != (self.sigma is not None):
             raise NotReplayed(
-                "sigma, the remaining fraction of the convexity, is required under compression, and not allowed otherwise"
+                "sigma, the fraction of the beam's stiffness that remains under compression, is missing, or it is given "
+                "without compression"
             )
         if self.sigma is not None and not 0 < self.sigma < 1:
-            raise NotReplayed("sigma, the remaining fraction of the convexity, is not between 0 and 1")
+            raise NotReplayed(
+                "sigma, the fraction of the beam's stiffness that remains under compression, is not between 0 and 1"
+            )
         self.outside, self.pushed = ([ball(x) for x in problem[key]] for key in ("outside", "pushed"))
         self.cuts, self.carrier = problem["cuts"], exact(problem["carrier"])
         self.units = problem["units"]
@@ -246,7 +249,8 @@ class Problem(Checks):
         return [i for i in range(last + 1) if i in (0, last) or self.nodes[i].rigid is not None]
 
     def corner(self, node):
-        """Returns the jump of g₀′ at a node."""
+        """Returns the jump of the slope of the initial gap g₀ at a node: the slope on the right minus the slope on the
+        left."""
         left, right = self.pieces[node - 1], self.pieces[node]
         return right.ends(right.d(right.g0))[0] - left.ends(left.d(left.g0))[1]
 

@@ -30,13 +30,15 @@ def check(r):
 
 
 def nothing(r):
-    """Checks that the logged bounds of V are infinite, because no contact set is proven."""
+    """Checks that the bounds in the log for the error of the shear force V are infinite, because no contact set is
+    proven."""
     for i, error in enumerate(r.errors):
         r.shows(f"the error bound of V on piece {i} is finite, but no contact set is proven", not error["V"].is_finite())
 
 
 def final(r, errors):
-    """Checks the bounds of V from the last round, and with shear deformation also those of slope and pressure."""
+    """Checks the error bounds of the shear force V that follow from the proven contact set, and with shear deformation
+    also the error bounds of the slope w′ and of the pressure."""
     r.contact.errors = errors
     for i, (force, slope) in enumerate(bounds(r, r.contact)):
         r.holds(f"(15) eps_V on piece {i}", force, r.errors[i]["V"])
@@ -64,7 +66,7 @@ def in_rounds(r):
         if contact.shown:
             roughly(contact) if number == 0 else contact.check()
         elif number > 0 and number + 1 < len(rounds):
-            r.shows(f"round {number} is not proven, but a further round follows", False)
+            r.shows(f"the contact set is not proven in round {number} of the proof, but a further round follows", False)
         before, errors = contact, [dict(error) for error in errors]
     r.contact = before
     if before.shown != r.shown[0]:

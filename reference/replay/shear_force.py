@@ -72,7 +72,7 @@ def slid(r, i):
 
 
 def stiffened(r, piece):
-    """Returns a lower bound of 1 + P/S on a piece."""
+    """Returns a lower bound of 1 + P/S on a piece, with the axial force P and the shear stiffness S of the beam."""
     return low(1 + r.force / (piece.stiffness.high if r.force > 0 else piece.stiffness.low))
 
 
@@ -120,7 +120,8 @@ def load_errors(r, contact):
 
 
 def open_pressure(r, i):
-    """Returns a bound of the absolute value of `pressure_under` on an open piece."""
+    """Returns a bound of |ku − q − (μ(w − g₀)′)′| on a piece out of contact. This is the pressure if the piece were in
+    contact with ground that has the settlement u."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return piece.size(piece.pressure_under(r.along[i]))

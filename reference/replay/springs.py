@@ -1,11 +1,12 @@
 """Proves the exact contact set on Winkler ground from the sign of w − g₀ − q/k, and from the sign of its slope near
-edges (W1 to W3)."""
+contact edges."""
 
 from balls import above, exact, sorted_pair
 
 
 def logged_zones(r):
-    """Returns the logged lengths of the zones next to edges and supports, by piece and side."""
+    """Reads from the log the lengths of the short zones beside contact edges and supports. The keys are the number of a
+    piece and an end of this piece (0 left, 1 right)."""
     return {(line["piece"], line["side"]): exact(line["length"]) for line in r.all("zone")}
 
 
@@ -26,15 +27,15 @@ def check(r):
             steps = field(piece.t[side]) > limit
             if theta is None:
                 r.shows(
-                    f"(W1) the log has no line `zone` for the edge or support at node {i + side}",
+                    f"the log has no line `zone` for the contact edge or support at node {i + side}",
                     steps or not needs_zone(r, i, side),
                 )
                 continue
             interval[side] += (1 - 2 * side) * theta / piece.half
             grows = zone(r, r.errors[i], i, side, field, interval[side], limit)
-            r.shows(f"(W1) the growth of |w - g0| away from node {i + side} is not proven", grows)
+            r.shows(f"it is not proven that |w - g0| increases with the distance from node {i + side}", grows)
         shown = interval[0] < interval[1] and above(field, interval, limit)
-        r.shows(f"(W2) the sign of w - g0 on piece {i} is not proven", shown)
+        r.shows(f"the sign of w - g0, deflection minus initial gap, on piece {i} is not proven", shown)
 
 
 def needs_zone(r, i, side):
@@ -88,8 +89,8 @@ def leaves_support(r, error, i, side, to):
 
 def zone(r, error, i, side, field, to, limit):
     """Returns whether a field grows inward from an end of a piece faster than the error of its slope, up to a value
-    above a limit (W1). At a support that touches the ground the field grows from zero (W3). At a clamp the curvature
-    takes the place of the slope."""
+    above a limit. At a support that touches the ground the field grows from zero. At a clamp the curvature takes the
+    place of the slope."""
     piece, end = r.pieces[i], r.pieces[i].t[side]
     slope = piece.d(field)
     if lies(r, i, side):

@@ -21,7 +21,7 @@ def check(r):
         return
     load = compression / (1 - r.sigma)
     stable = not r.shears and any(is_stable(r, load, count) for count in ELEMENTS)
-    r.shows("sigma, the remaining fraction of the convexity, is not proven", stable)
+    r.shows("the fraction sigma of the beam's stiffness is not proven to remain under compression", stable)
 
 
 def is_rigid(node):

@@ -8,7 +8,8 @@ from energy import compression_misfit
 
 
 def prepare(r):
-    """Computes the factor of K in the error bounds, and the axial force in K, the energy norm of a test function."""
+    """Computes two numbers for the energy norm K of test functions: the factor of K in the error bounds, and the axial
+    force that K includes."""
     r.beam_energy = r.energy if r.sigma is None else r.energy / r.sigma
     r.test_factor, r.test_tension = r.s2, arb(0) if r.tension is None else high(r.tension)
     if r.sigma is not None:
@@ -19,7 +20,8 @@ def prepare(r):
 
 
 def stiffest(r, pieces):
-    """Returns the largest EI, P + μ and k on some pieces."""
+    """Returns the largest EI, P + μ and k on the given pieces, with the axial force P that the energy norm of test
+    functions includes."""
     spans = [r.pieces[i] for i in pieces]
     layer = largest(*(piece.shear.high for piece in spans)) + r.test_tension
     return largest(*(piece.bending.high for piece in spans)), layer, largest(*(piece.spring.high for piece in spans))
