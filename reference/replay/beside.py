@@ -19,9 +19,8 @@ def check(r):
 
 def seen(stretches, held):
     """Returns the stiffness S of the ground outside the beam, and the force T at the beam's end from loads on this
-    ground. Each stretch, from the far end on,
-    replaces S by K(S + Kt)/(K + St) with K = √(kμ) and t = tanh(h√(k/μ)), and T by a similar formula of
-    `outside.rs`."""
+    ground. Each stretch, from the far end on, replaces S by K(S + Kt)/(K + St) with K = √(kμ) and t = tanh(h√(k/μ)),
+    and T by a similar formula of `outside.rs`."""
     stiffness, pushed, fixed = arb(0), arb(0), held
     for length, ground, spread, force in reversed(stretches):
         (k, mu), h = map(ball, ground), optional(length)

@@ -35,7 +35,7 @@ fn main() -> Result<ExitCode, String> {
         match words.as_str() {
             "compare" => different += compare(&all, by_bits)?,
             "answer" => answer(&folder, &family, &all)?,
-            other => return Err(format!("`{other}` is no command: write `compare` or `answer`")),
+            other => return Err(format!("unknown command `{other}`: write `compare` or `answer`")),
         }
         eprintln!("{family}: {} models, {:.1} s", all.len(), start.elapsed().as_secs_f64());
     }

@@ -1,11 +1,12 @@
-//! Compares proofs with certificates, for all models under `cases/` and the first frozen models of each family.
+//! Compares the error bounds of proofs and certificates, for all models under `cases/` and for stored random models.
 //!
 //! ```text
 //! … --example proofs -- [--most N] [NAME …]
 //! ```
 //!
-//! NAME is a part of the path of a case, or of the name of a family. For each model the program prints three gaps
-//! relative to the strain energy: those of the certificate, of the proof in `Wide` and of the proof in `Ball`.
+//! NAME is a part of the path of a case, or of the name of a family of random models. N is the number of models of
+//! each family. For each model the program prints three bounds of the energy of the error, relative to the strain
+//! energy: the estimate of the certificate, and the bounds of the proofs with the number types `Wide` and `Ball`.
 
 use groundbeam::proof::{Ball, Enclosing, Proof, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, solve};
@@ -81,7 +82,8 @@ fn main() -> Result<(), String> {
             all.get((part * (all.len().max(1) - 1) as f64) as usize).copied().unwrap_or(f64::NAN)
         };
         println!(
-            "{group:12} proven {proven:4} with bounds {bounded:4} without {not:4} no solution {without:4}; wide/certificate least {:.1e} median {:.1e} nine tenths {:.1e} most {:.1e}",
+            "{group:12} proven {proven:4}, bounds only {bounded:4}, no bounds {not:4}, no solution {without:4}; bound of \
+             `Wide` over estimate of the certificate: smallest {:.1e}, median {:.1e}, 90 % below {:.1e}, largest {:.1e}",
             at(0.0),
             at(0.5),
             at(0.9),

@@ -12,8 +12,8 @@ use rand_chacha::ChaCha8Rng;
 /// Number of kinds of random models that are tested.
 pub const KINDS: u64 = Family::ALL.len() as u64 + 2;
 
-/// Returns a random model of a kind and its name. A kind is a family of models, beams with shear deformation, or
-/// beams whose tension balances the loads.
+/// Returns a random model and its name. `kind` selects one of the families of random models, or beams whose axial
+/// tension balances the loads.
 pub fn random(kind: u64, number: u64) -> (String, Model) {
     let families = Family::ALL.into_iter().chain([Family::Shearing]);
     match families.into_iter().nth(kind as usize) {
@@ -22,7 +22,7 @@ pub fn random(kind: u64, number: u64) -> (String, Model) {
     }
 }
 
-/// Rounding error of a true value, relative to the largest value of the field or to the reaction.
+/// Allowed rounding error of the correct answer, relative to the largest value of the field or to the reaction.
 const ROUNDING: f64 = 1e-12;
 
 /// A model with its solution and the proof of this solution.
@@ -126,7 +126,8 @@ impl Target {
         (ratios, fault)
     }
 
-    /// Returns the claims of an answer at x, each as field, value and bound.
+    /// Returns for each field at x, which lies on the piece `piece` of a wrong answer, the value of this answer and
+    /// the bound of its error.
     pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
@@ -148,7 +149,7 @@ impl Target {
         };
         // Imposed curvatures and distributed moments cancel in the difference between the claimed and the correct answer.
         let right = self.right.pieces.iter().find(|piece| x <= piece.x[1]);
-        let right = right.expect("a piece at every position of the beam");
+        let right = right.expect("the pieces cover the whole beam");
         let exact = match right.rotation.is_empty() {
             true => derivatives(right, &right.deflection, x),
             false => {
@@ -214,7 +215,10 @@ fn differing(claimed: &ContactSet, exact: &ContactSet) -> Option<String> {
             .zip(&exact.regions)
             .all(|(a, b)| meet(a.from, b.from) && meet(a.to, b.to));
     if !same {
-        return Some(format!("contact {:?} in place of {:?}", claimed.regions, exact.regions));
+        return Some(format!(
+            "contact regions {:?}, but the correct answer has {:?}",
+            claimed.regions, exact.regions
+        ));
     }
     let force = |set: &ContactSet, x: f64| {
         let near =
@@ -224,7 +228,11 @@ fn differing(claimed: &ContactSet, exact: &ContactSet) -> Option<String> {
     let differs = |x: f64| !meet(force(claimed, x), force(exact, x));
     let places = claimed.forces.iter().chain(&exact.forces).map(|force| force.x);
     let wrong = places.into_iter().find(|x| differs(*x))?;
-    Some(format!("force {:?} in place of {:?}", force(claimed, wrong), force(exact, wrong)))
+    Some(format!(
+        "contact force {:?}, but the correct answer has {:?}",
+        force(claimed, wrong),
+        force(exact, wrong)
+    ))
 }
 
 type Change = (&'static str, fn(&mut Answer, &mut ChaCha8Rng, &Target));

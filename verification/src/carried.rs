@@ -1,4 +1,4 @@
-//! Draws random beams under tension that touch the ground only at one end or one corner, so that the tension balances the loads.
+//! Draws random beams that touch the ground at one point only, so that the axial tension must balance the moment of the loads.
 
 use groundbeam::{Beam, Foundation, Load, Model, Verdict, exists};
 use rand::{RngExt, SeedableRng};

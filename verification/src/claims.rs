@@ -3,7 +3,7 @@
 use groundbeam::proof::Proof;
 use groundbeam::{Field, Model, Solution, SupportKind};
 
-/// Rounding error of a true value, relative to the largest value of the field.
+/// Allowed rounding error of the correct answer, relative to the largest value of the field.
 const ROUNDING: f64 = 1e-10;
 
 /// Changes of a model; each function multiplies one kind of number of the model by a factor.
@@ -41,7 +41,8 @@ pub fn error_bound(proof: &Proof, field: Field) -> Option<f64> {
     named.map(|(_, bound)| bound.error)
 }
 
-/// Whether the bound of a field holds at x. The bound of the pressure holds outside the intervals of the edges.
+/// Whether the error bound of a field is valid at x. The bound of the pressure is valid only outside the intervals
+/// that enclose the contact edges.
 pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     let inside = |[low, high]: [f64; 2]| low <= x && x <= high;
     match (field, &proof.contact) {

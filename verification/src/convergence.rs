@@ -34,12 +34,12 @@ pub enum Quantity {
     EndForce,
     /// Position of the left contact edge, relative to the length l.
     Edge,
-    /// Relative gap of the certificate.
+    /// Relative energy gap of the certificate.
     Gap,
 }
 
 impl Quantity {
-    /// All quantities, in the order of the table.
+    /// All quantities, in the order of the rows of the convergence table.
     pub const ALL: [Quantity; 9] = [
         Quantity::Deflection,
         Quantity::Slope,
@@ -52,7 +52,7 @@ impl Quantity {
         Quantity::Gap,
     ];
 
-    /// The name in the table.
+    /// Name of the quantity in the convergence table.
     pub fn name(self) -> &'static str {
         match self {
             Quantity::Deflection => "w",

@@ -3,21 +3,27 @@
 use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Solution, solution::Side, solve};
 use std::fmt::Write;
 
-/// Length of the beam, and length of the ground that is shown outside each end \[m\].
+/// Length of the beam \[m\].
 const LENGTH: f64 = 12.0;
+/// Length of the ground that is shown outside each end of the beam \[m\].
 const BEYOND: f64 = 2.0;
 /// Number of steps of the load from one end of the beam to the other end.
 const PLACES: usize = 48;
-/// Number of points along the beam, and along the ground outside each end.
+/// Number of equal steps along the beam at whose ends the fields are computed.
 const POINTS: usize = 40;
+/// Number of equal steps along the shown ground outside each end of the beam.
 const OUTSIDE: usize = 8;
-/// Width and height of the page, and vertical positions of the undeformed beam and of the pressure diagram.
+/// Width of the picture in pixels.
 const WIDTH: f64 = 800.0;
+/// Height of the picture in pixels.
 const HEIGHT: f64 = 330.0;
+/// Vertical position of the undeformed beam in pixels.
 const BEAM_AT: f64 = 110.0;
+/// Vertical position of the zero line of the pressure diagram in pixels.
 const PRESSURE_AT: f64 = 215.0;
-/// Heights in the picture of the largest deflection and of the largest pressure.
+/// Length in pixels that represents the largest deflection of the beam.
 const DEEPEST: f64 = 70.0;
+/// Length in pixels that represents the largest contact pressure, and the largest force under an end of the beam.
 const DIAGRAM: f64 = 80.0;
 
 fn model(at: f64) -> Model {
@@ -30,7 +36,7 @@ fn model(at: f64) -> Model {
 ///
 /// # Errors
 ///
-/// A position of the load cannot be solved.
+/// The model cannot be solved for one of the positions of the load.
 pub fn picture() -> Result<String, groundbeam::Error> {
     let mut solutions = Vec::new();
     for i in 0..=PLACES {

@@ -106,8 +106,10 @@ impl Dense {
         })
     }
 
-    /// Solves K W + p = F with (G p − w)ᵢ = 0 at the touching nodes and p = 0 at all other nodes. Returns w and p;
-    /// `None` if a sign condition fails.
+    /// Solves K W + p = F with the contact condition (G p − w)ᵢ = 0 at the touching nodes, and p = 0 at all other
+    /// nodes. K is the stiffness matrix and F the load vector of the beam, W contains the deflections w and the
+    /// slopes of the nodes, and G is the flexibility matrix of the ground. Returns w and the contact forces p; `None`
+    /// if a contact force is tensile or the beam penetrates the ground.
     fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
         let (n, m) = (self.load.len(), touching.len());
         let mut a = vec![vec![0.0; n + m + 1]; n + m];
@@ -136,7 +138,7 @@ impl Dense {
     }
 }
 
-/// Solves a linear system by Gaussian elimination with the largest pivot; `None` for a singular matrix.
+/// Solves a linear system by Gaussian elimination with partial pivoting; `None` for a singular matrix.
 fn solve(mut a: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let n = a.len();
     let scale = a.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));

@@ -10,10 +10,11 @@ pub const SECTIONS: [(u32, u32); 4] = [(2, 13), (3, 12), (4, 25), (5, 21)];
 const FOLDERS: [&str; 3] =
     ["crates/groundbeam/src", "crates/groundbeam-proof/src", "verification/src"];
 
-/// Maximum number of files in a row of the index.
+/// Maximum number of source files that the index lists for one equation of the paper.
 const MOST_FILES: usize = 4;
 
-/// Equations that no source file names, each with its number, its statement and the reason.
+/// Equations of the paper that no source file names, each with its number, its statement, and the reason why the
+/// program does not need it.
 const NOT_NEEDED: &str = "\
 2.7 | p̂ = 0 where the beam is open | part of (2.10)
 2.8 | p̂ = 0 beside the beam | the pressure is defined on the beam only

@@ -103,5 +103,5 @@ fn wrong_contact(contact: &ContactSet, exact: &Exact, length: f64) -> Option<Str
     let holds = |[low, high]: [f64; 2], x: f64| low - near <= x && x <= high + near;
     let same = shown.len() == exact.contact.len()
         && shown.iter().zip(&exact.contact).all(|(a, b)| holds(a[0], b[0]) && holds(a[1], b[1]));
-    (!same).then(|| format!("contact {shown:?} in place of {:?}", exact.contact))
+    (!same).then(|| format!("contact regions {shown:?}, but {:?} is correct", exact.contact))
 }

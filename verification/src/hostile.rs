@@ -51,7 +51,8 @@ pub fn exercise(model: &Model) {
     }
 }
 
-/// Returns the existence of an equilibrium. If a model in compression needs a large mesh, the memory limit applies.
+/// Decides whether the model has an equilibrium. The memory limit applies if a model in compression needs a large
+/// mesh.
 fn exists_within(model: &Model) -> Result<groundbeam::Existence, Error> {
     let large = memory_estimate(model, &Options::default()) > MEMORY;
     if model.beam.axial_force < 0.0 && large && model.problems().is_empty() {
@@ -151,7 +152,8 @@ pub fn model(number: u64) -> Model {
     let dice = &mut Dice::of(number, 1);
     let length = dice.size();
     let places = &mut vec![0.0, length];
-    // With numbers of comparable size, the model is neither a rigid body nor a membrane.
+    // If `tame` is true, EI and μ are drawn relative to k l⁴ and k l² with the subgrade k and the beam length l, so
+    // that extreme stiffness ratios are rare.
     let tame = dice.happens(2);
     let k = dice.size();
     let stiffness = if tame {
@@ -229,7 +231,7 @@ fn segments(beam: &mut Beam, ground: &mut Foundation, places: &mut Vec<f64>, dic
     }
 }
 
-/// Sets the ends of the ground outside the beam.
+/// Draws for each side of the beam whether the ground ends, and at which distance from the end of the beam.
 fn ends(ground: &mut Foundation, length: f64, dice: &mut Dice) {
     for right in [false, true] {
         if dice.happens(6) {

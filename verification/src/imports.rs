@@ -28,7 +28,7 @@ struct File {
 pub struct Imports {
     files: Vec<File>,
     modules: BTreeMap<Path, usize>,
-    /// For each pair of files, the names of the second file that the first file uses.
+    /// For each pair of source files, the items that the second file defines and the first file uses.
     edges: BTreeMap<(usize, usize), BTreeSet<String>>,
 }
 

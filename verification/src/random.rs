@@ -35,29 +35,32 @@ pub enum Family {
     Long,
     /// All features of the families above.
     Mixed,
-    /// A beam and ground whose stiffnesses vary along segments, with features of all other families.
+    /// A beam and ground whose stiffnesses vary along segments, combined with features of other kinds of random
+    /// models.
     Varying,
-    /// Imposed curvatures in addition to loads, with features of all other families.
+    /// Imposed curvatures in addition to loads, combined with features of other kinds of random models.
     Curled = 12,
-    /// Settled supports, with features of all other families.
+    /// Settled supports, combined with features of other kinds of random models.
     Settled = 13,
-    /// Free and elastic hinges, with features of all other families.
+    /// Free and elastic hinges, combined with features of other kinds of random models.
     Hinged = 10,
-    /// One-way supports, with features of all other families.
+    /// One-way supports, combined with features of other kinds of random models.
     OneWay = 11,
     /// Ground that ends or changes outside the beam.
     Beside = 16,
     /// Ground that ends or changes outside the beam, with loads on the ground under and outside the beam.
     Neighbours = 17,
-    /// Beams with shear deformation from negligible to dominant, with features of all other families.
+    /// Beams with shear deformation from negligible to dominant, combined with features of other kinds of random
+    /// models.
     Shearing = 30,
-    /// All features except tension, under a compression at which the beam is stable only with the ground.
+    /// The features of `Mixed` except axial tension. The axial compression is so large that the beam would buckle
+    /// without the ground.
     Compressed = 21,
     /// A compression as in `Compressed`, on beams with shear deformation, one-way supports or both, sometimes with
     /// hinges.
     CompressedToo = 22,
-    /// All features with extreme values: λl up to 10⁴, up to a hundred loads, some of them upward, and resultants
-    /// near an end.
+    /// The features of `Mixed` with extreme values: λl up to 10⁴, up to a hundred loads, some of them upward, and
+    /// load resultants near an end of the beam.
     Extreme = 20,
 }
 
@@ -147,7 +150,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let mixed = extreme || compressed || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
-    // The following families also have features of all other families.
+    // Models of the kinds in `various` also get some features of other kinds, such as tension, supports and an
+    // initial gap.
     let settles = family == Family::Settled;
     let hinged = family == Family::Hinged;
     let one_way = family == Family::OneWay;
@@ -208,7 +212,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
-    // `kind` is 1 for shear deformation, 2 for one-way supports and 3 for both.
+    // `kind` is 1 for shear deformation, 2 for one-way supports, 3 for both and 0 for neither.
     let kind = if too { 1 + dice.up_to(2) } else { 0 };
     if shearing || kind & 1 > 0 {
         beam = shear_beam(beam, lambda_l, dice);
@@ -271,8 +275,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if family == Family::Neighbours {
         add_neighbours(&mut model, dice);
     }
-    // On a beam of a hundred wave lengths, a moment that moves the resultant to an end would cause a lift of more than
-    // 10⁶ times the settlement.
+    // λl is the length of the beam, measured in wave lengths (4EI/k)^¼. At λl = 100, a moment that shifts the
+    // resultant of the loads to an end would lift the beam by more than 10⁶ times its settlement. Therefore only
+    // beams with λl below 30 get such a moment.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
     }

@@ -38,7 +38,7 @@ pub struct AnswerReaction {
     pub at: f64,
     /// Force, up.
     pub force: f64,
-    /// Moment of the support, with the sign opposite to that of the slope.
+    /// Moment of the support on the beam, positive if it acts against a positive slope.
     pub moment: f64,
 }
 
@@ -60,13 +60,14 @@ pub struct Doubtful {
     pub balance: Balance,
 }
 
-/// An answer whose contact is doubtful on one stretch of the beam.
+/// A reference answer for a model with a stretch where force or clearance is so small that doubles cannot decide
+/// whether the beam touches the ground.
 #[derive(Debug, Deserialize)]
 pub struct DoubtfulZone {
-    /// The answer.
+    /// The reference answer.
     #[serde(flatten)]
     pub answer: Answer,
-    /// The stretch whose contact is doubtful.
+    /// The stretch on which contact cannot be decided in doubles.
     pub doubtful: Stretch,
 }
 
@@ -117,19 +118,24 @@ pub fn parsed(name: &str, text: &str) -> Model {
     }
 }
 
-/// The distances of a solution from an answer, relative to the largest value of each kind.
+/// The largest differences between a computed solution and the reference answer, relative to the largest value of
+/// each quantity.
 #[derive(Debug, Default, Clone, Copy)]
 pub struct Distance {
-    /// Largest distance of a field at the stations, relative to the largest value of the field.
+    /// Largest difference between a computed field and its reference values at the stations, relative to the largest
+    /// value of the field.
     pub fields: f64,
-    /// Largest distance of a contact edge, relative to the length; infinite if the number of contact regions differs.
+    /// Largest distance between a computed contact edge and the same edge of the reference answer, relative to the
+    /// beam length; infinite if the numbers of contact regions differ.
     pub edges: f64,
-    /// Largest distance of an end force or reaction, relative to the largest force.
+    /// Largest difference between a computed end force or reaction and its reference value, relative to the largest
+    /// force.
     pub forces: f64,
 }
 
 impl Distance {
-    /// Returns the largest of the distances of the fields, the edges and the forces.
+    /// Returns the largest relative difference from the reference answer, over the fields, the contact edges and the
+    /// forces.
     pub fn worst(&self) -> f64 {
         self.fields.max(self.edges).max(self.forces)
     }
@@ -186,15 +192,15 @@ impl Answer {
         largest
     }
 
-    /// Returns the distance of a solution from this answer.
+    /// Returns the largest differences between a computed solution and this reference answer.
     pub fn distance(&self, solution: &Solution) -> Distance {
         let mut distance = Distance::default();
         let l = solution.model().beam.length;
         let x = self.numbers("x");
         let sides = self.stations["side"].as_array().expect("a list of sides");
         for field in Field::of(&solution.model().beam) {
-            // The gap is a difference of deflections, so its distance is relative to the larger of gap and
-            // deflection.
+            // The gap is a difference of deflections, so its error is divided by the larger of the largest gap and
+            // the largest deflection.
             let largest = match field {
                 Field::Gap => self.largest["gap"].max(self.largest["deflection"]),
                 Field::Settlement => {

@@ -13,7 +13,8 @@ use groundbeam_proof::{Course, Scalar, Wide};
 pub struct Comparison {
     /// Number of compared numbers.
     pub numbers: usize,
-    /// The largest relative difference, in units of 2⁻⁵².
+    /// The largest relative difference between a number of the first model and the same number of the second model,
+    /// in units of 2⁻⁵².
     pub largest: f64,
     /// Descriptions of the differences that exceed the tolerance.
     pub faults: Vec<String>,
@@ -21,7 +22,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares two models whose numbers may differ by a relative `allowed` · 2⁻⁵².
+    /// Compares two models. Relative differences of their numbers are accepted up to `allowed` · 2⁻⁵².
     pub fn of(first: &Model, second: &proof::Model<Wide>, allowed: f64) -> Self {
         let mut comparison = Comparison { allowed, ..Comparison::default() };
         comparison.beam(first, second);
@@ -35,14 +36,16 @@ impl Comparison {
         self.number_beside(name, first, second, first);
     }
 
-    /// Compares a number; `largest` is the largest number from which it is computed.
+    /// Compares a number of the first model with the enclosure of the same number in the second model. `largest` is
+    /// the largest magnitude of the numbers from which this number is computed; it determines the accepted width of
+    /// the enclosure.
     fn number_beside(&mut self, name: &str, first: f64, second: Wide, largest: f64) {
         self.numbers += 1;
         let difference = (first - second.middle()).abs();
         let ulps = if difference == 0.0 { 0.0 } else { difference / first.abs() / f64::EPSILON };
         self.largest = self.largest.max(ulps);
-        // The enclosure of a decimal has about 100 bits, so its distance from the midpoint must be as small as a
-        // rounding error.
+        // The second model encloses each number in an interval around a midpoint. `rest` is the distance of the ends
+        // of this interval from the midpoint; it must not exceed a rounding error of a double.
         let rest = (second - Wide::of(second.middle())).size();
         let is_sharp = rest <= f64::EPSILON * (first.abs() + 1e-12 * largest.abs()) + 1e-280;
         if !(ulps <= self.allowed && is_sharp) {
@@ -188,7 +191,8 @@ impl Comparison {
     }
 }
 
-/// Returns the value of a polynomial at the fraction t of its length, by de Casteljau's algorithm.
+/// Returns the value of a polynomial at t from its Bernstein coefficients, by de Casteljau's algorithm. t runs from 0
+/// to 1 along the segment.
 fn at(course: &Course<Wide>, t: Wide) -> Wide {
     let mut values = match course {
         Course::Constant(value) => vec![*value],

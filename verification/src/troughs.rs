@@ -17,12 +17,12 @@ pub struct Trough {
     pub width: f64,
 }
 
-/// A model file and its troughs.
+/// A model file and the settlement troughs of its ground.
 #[derive(Debug)]
 pub struct Drawn {
     /// The file.
     pub text: String,
-    /// The troughs that the file describes.
+    /// The settlement troughs that the file describes.
     pub troughs: Vec<Trough>,
 }
 
@@ -124,7 +124,8 @@ fn decades(r: &mut impl Rng, from: f64, to: f64) -> f64 {
     10.0_f64.powf(r.random_range(from..to))
 }
 
-/// Returns the model with twice as many chords, where each new corner lies on the curve of the troughs.
+/// Returns the model with twice as many chords of the ground surface, where each new corner lies on the curve of the
+/// settlement troughs.
 pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     let depth = |x: f64| {
         let of = |trough: &Trough| {
@@ -147,18 +148,19 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     Model { gap, ..model.clone() }
 }
 
-/// The changes between two solutions. The changes of w, M and p are relative to their largest magnitudes, the changes
-/// of contact edges are relative to the length.
+/// The differences between two solutions. The differences of w, M and p are relative to the largest magnitude of the
+/// quantity, and those of the contact edges are relative to the beam length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Changed {
-    /// The changes of deflection, moment and pressure.
+    /// Differences between the extremes of deflection, moment and pressure in the two solutions, relative to the
+    /// largest magnitude.
     pub fields: [f64; 3],
-    /// The largest distance of a contact edge of one solution from the next contact edge of the other
-    /// solution.
+    /// The largest distance from a contact edge of one solution to the nearest contact edge of the other solution,
+    /// relative to the beam length.
     pub edges: f64,
 }
 
-/// Returns the changes between two solutions.
+/// Returns the differences between two solutions.
 pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
     let fields = [Field::Deflection, Field::Moment, Field::Pressure].map(|field| {
         let [a, b]: [Range; 2] = [coarse, fine].map(|solution| solution.range(field));
@@ -207,20 +209,24 @@ pub enum Result {
     NoEquilibrium,
     /// The method did not converge.
     Failed(String),
-    /// The model is solved with the chords of the file and with twice as many chords.
+    /// The model is solved twice, with the settlement troughs replaced by the default number of chords and by twice
+    /// as many chords.
     Solved {
-        /// Number of chords of the file.
+        /// Default number of chords (straight segments) that replace the curve of the settlement troughs.
         chords: usize,
-        /// Numbers of contact zones with the chords of the file and with twice as many chords.
+        /// Numbers of contact zones in the solution with the default number of chords and in the solution with twice
+        /// as many chords.
         zones: [usize; 2],
-        /// Changes of the results between both solutions.
+        /// Differences between the solution with the default number of chords and the solution with twice as many
+        /// chords.
         changed: Changed,
         /// Time of the first solution in seconds.
         seconds: f64,
     },
 }
 
-/// Solves the random model `number` with the default number of chords, and again with twice as many chords.
+/// Solves the random model `number` twice: with the curve of the settlement troughs replaced by the default number of
+/// chords (straight segments), and by twice as many chords.
 pub fn result(number: u64) -> Result {
     let Drawn { text, troughs } = drawn(number);
     let Document { model, chords, .. } = match parse(&text) {

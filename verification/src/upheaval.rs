@@ -10,7 +10,7 @@ use groundbeam::{
     model::{Action, Acts, Extent},
 };
 
-/// Maximum number of Newton steps per compression.
+/// Maximum number of Newton steps for each value of the axial compression.
 const MOST_STEPS: usize = 40;
 
 /// A spring at a node. A one-way spring that pushes up acts if the deflection is larger than `place`; one that pulls
@@ -34,7 +34,7 @@ impl Spring {
     }
 }
 
-/// The spring constant of a rigid support, as a multiple of EI/h³.
+/// Spring constant that replaces a rigid support, as a multiple of EI/h³ with the element length h.
 const RIGID: f64 = 1e4;
 
 /// A uniform beam on springs at its nodes. The list of springs contains first those of the ground, then those of the
@@ -108,8 +108,8 @@ impl Meshed {
         Meshed { length, elements, bending, geometric, load, springs }
     }
 
-    /// Returns w and θ at the nodes if Newton's method converges from `start` and the second variation of the energy
-    /// is positive; otherwise `None`.
+    /// Returns the deflections w and the rotations θ of the nodes if Newton's method converges from `start` and the
+    /// second variation of the energy is positive; otherwise `None`.
     pub fn settle(&self, compression: f64, start: &[f64]) -> Option<Vec<f64>> {
         let mut w = start.to_vec();
         let mut touching: Option<Vec<bool>> = None;
@@ -166,7 +166,8 @@ impl Meshed {
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()
     }
 
-    /// Returns w and θ under a compression, which increases from zero in `steps` equal steps.
+    /// Increases the axial compression from zero to `compression` in `steps` equal steps. Returns the deflections w
+    /// and the rotations θ of the nodes after the last step; `None` if a step has no stable solution.
     pub fn branch(&self, compression: f64, steps: usize) -> Option<Vec<f64>> {
         let mut w = self.settle(0.0, &self.at_rest())?;
         for step in 1..=steps {

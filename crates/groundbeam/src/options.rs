@@ -41,8 +41,7 @@ pub struct Options {
     /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts of the
     /// model add nodes. [`Method::ActiveSet`] doubles the number while its iteration does not converge. On Winkler
     /// ground, it also doubles the number while the certificate's bound of the energy of the error exceeds the strain
-    /// energy. [`Method::Exact`] ignores
-    /// the number.
+    /// energy. [`Method::Exact`] ignores the number.
     pub elements: usize,
     /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].
     pub start: Start,

@@ -6,7 +6,7 @@ use groundbeam::{
 };
 use groundbeam_file::{Document, parse_cases};
 
-/// The kind of factor.
+/// The requested result of a load-factor computation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Growth {
     /// The load factor at which the beam first lifts off.
@@ -18,7 +18,8 @@ pub(super) enum Growth {
 }
 
 impl Growth {
-    /// Returns the kind of factor for a name such as `first_lift_off`.
+    /// Returns the load factor, or the position of lift-off, that a name such as `first_lift_off` requests; `None`
+    /// for other names.
     pub fn read(name: &str) -> Option<Growth> {
         match name {
             "first_lift_off" => Some(Growth::FirstLiftOff),

@@ -10,7 +10,7 @@ use std::fmt::Write;
 const CHAPTERS: [(&str, &str, &str); 7] = [
     ("kikuchi-1980/", "The paper's own examples", "Kikuchi's sections 4 and 5."),
     ("textbook/", "Textbooks, manuals and closed forms", "Published numbers and exact solutions."),
-    ("footings/", "Structures with units", "Typical structures of practice."),
+    ("footings/", "Structures with units", "Typical structures from engineering practice."),
     (
         "combinations/",
         "Combinations of load cases",
@@ -18,7 +18,7 @@ const CHAPTERS: [(&str, &str, &str); 7] = [
     ),
     (
         "ground/",
-        "Ground with an initial gap or with ends",
+        "Ground with an initial gap or of finite extent",
         "Surveyed ground, settlement troughs, trenches and neighbouring loads.",
     ),
     ("limits/", "Limits", "Degenerate and extreme models."),
@@ -76,7 +76,7 @@ fn chapter(text: &mut String, folder: &str, cases: &[&Case]) {
     text.push_str(&numbers);
 }
 
-/// Returns an upper bound of the largest relative gap of the solutions, as text.
+/// Returns an upper bound of the largest relative energy gap of the solutions, as text.
 fn largest_gap(answers: &Answers) -> String {
     let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap());
     match gaps.reduce(f64::max) {

@@ -29,7 +29,7 @@ pub struct Case {
     pub expectations: Vec<Expectation>,
 }
 
-/// A fault in the expectations of a file.
+/// The reason why a case file cannot be read, such as an error in a line of expected results.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Misread {
     /// Number of the line in the file, counted from 1; 0 if the fault concerns the whole file.

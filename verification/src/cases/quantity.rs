@@ -1,4 +1,4 @@
-//! Reads the name of the quantity of an expectation, and returns the value of this quantity in a solution.
+//! Reads which quantity a line of expected results names, and returns the value of this quantity in a solution.
 
 use super::growth::Growth;
 use super::scale::Kind;

@@ -1,4 +1,4 @@
-//! Computes the factors of the units of expected values, by reading a small model file that contains the unit.
+//! Computes the conversion factor of the unit of an expected value, by reading a small model file that contains this unit.
 
 use groundbeam::model::Extent;
 use groundbeam_file::UnitSystem;
@@ -12,7 +12,7 @@ pub enum Kind {
     Angle,
     /// A force.
     Force,
-    /// A moment, an energy or a work.
+    /// A moment or an energy.
     Moment,
     /// A pressure.
     LineLoad,

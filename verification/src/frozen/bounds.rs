@@ -13,12 +13,12 @@
 //! |---|---|---|
 //! | w, w′, M, u, the gap, end forces, reactions, hinges | 1.4 e, or 6·10⁻¹¹ | 3 e + 10⁻⁹ |
 //! | V and p, the derivatives of M | 55 e, or 4·10⁻¹⁰ | 100 e + 10⁻⁹ |
-//! | V at a support, and beside a zone or a gap shorter than the limit of an edge | 8·10⁻⁵ | 100 e + 10⁻⁵, or the bound of V |
+//! | V at a support, and if a zone or a gap is shorter than 10⁻⁷ l | 8·10⁻⁵ | 100 e + 10⁻⁵, or the bound of V |
 //! | edges, relative to l | 4.4·10⁻⁸ | 10⁻⁷ |
 //!
-//! Contact zones and gaps between zones that are shorter than the limit of an edge are ignored, and then the extreme
-//! values of p are not compared. The position of an extreme value is accepted if the field has this value at the
-//! position. At a position near a jump of a field, every value between both sides of the jump is accepted.
+//! Contact zones and gaps between zones that are shorter than 10⁻⁷ l are ignored, and then the extreme values of p
+//! are not compared. The position of an extreme value is accepted if the field has this value at the position. At a
+//! position near a jump of a field, every value between both sides of the jump is accepted.
 
 use super::Frozen;
 use super::answer::STEPS;
@@ -27,11 +27,14 @@ use super::record::Record;
 use crate::proven::proven_bounds;
 use groundbeam::{Error, Field, Outcome, Solution, solution::Side};
 
-/// Limit of the difference of a contact edge, as a fraction of the length.
+/// Largest accepted difference between the positions of a contact edge in the stored and in the present answer, as a
+/// fraction of the beam length.
 const EDGE: f64 = 1e-7;
-/// Relative limit of a difference where the bounds are smaller than rounding errors.
+/// Part of the accepted difference of two values that covers rounding errors, relative to the largest value of the
+/// quantity.
 const FLOOR: f64 = 1e-9;
-/// Relative limit that replaces `FLOOR` for V at supports and where a zone is shorter than the limit of an edge.
+/// Relative limit that replaces `FLOOR` for the shear force V at supports, and in models with a contact zone or a gap
+/// between zones that is shorter than `EDGE` times the beam length.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
 /// Limits of the differences of fields and of their derivatives, as multiples of e (see the documentation of this
 /// file).
@@ -71,11 +74,12 @@ pub fn differences(frozen: &Frozen, outcome: &Result<Outcome, Error>) -> Vec<Dif
 struct Comparison<'a> {
     frozen: &'a Frozen,
     solution: &'a Solution,
-    /// The sum √g + √g′ for the relative gaps g and g′ of both answers.
+    /// The sum √g + √g′ for the relative energy gaps g of the stored answer and g′ of the present answer.
     error: f64,
     /// Bounds of settlement, moment and shear force of the present answer; infinite if the proof has none.
     bounds: [f64; 3],
-    /// Whether an answer has a contact zone, or a gap between two zones, that is shorter than the limit of an edge.
+    /// Whether the stored or the present answer has a contact zone, or a gap between two zones, that is shorter than
+    /// the accepted difference of contact edges.
     has_short_intervals: bool,
     found: Vec<Difference>,
 }
@@ -140,7 +144,8 @@ impl<'a> Comparison<'a> {
                 .fold(0.0, f64::max)
         };
         match field {
-            // Gap and settlement are differences of deflections, so their size is at least that of the deflection.
+            // Gap and settlement are computed as differences that contain the deflection. Their rounding errors are
+            // relative to the deflection, so at least the size of the deflection is used.
             Field::Gap | Field::Settlement => own(field).max(own(Field::Deflection)),
             Field::ShearForce => self
                 .answer()
@@ -255,7 +260,8 @@ impl<'a> Comparison<'a> {
     /// Compares settlements and moments within the proven bounds of both answers.
     fn settlements_and_moments(&mut self) {
         let bounds = self.frozen.certificate.numbers("bounds");
-        // The last of the frozen bounds is that of the moment. The pinned program bounds the root mean square of the error.
+        // The last bound in a stored certificate limits the error of the moment. If the pinned older version of the
+        // program wrote the certificate, this bound limits the root mean square of the error.
         let bounds = [bounds[0], bounds[bounds.len() - 1]];
         let present = self.bounds;
         // If the proof does not cover a kind of model, only the frozen bound is used.
@@ -274,7 +280,8 @@ impl<'a> Comparison<'a> {
         self.hold("root mean square of the difference of moments", 0.0, rms, moments);
     }
 
-    /// Returns the indices and the positions of the values in a line of the frozen answer.
+    /// Returns the indices of the values that the stored answer has for `key`, and the positions on the beam where
+    /// these values apply.
     fn positions(&self, key: &str) -> Vec<(usize, f64)> {
         let count = self.answer().line(key).map_or(0, |line| line.words.len());
         let steps = count.saturating_sub(1).max(1);
@@ -309,7 +316,8 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// Returns the value of a field that is nearest to `wanted`, among the values within the limit of an edge from x.
+    /// Returns the value of a field that is nearest to `wanted`, among its values at positions no farther from x than
+    /// the accepted difference of contact edges.
     fn nearest(&self, field: Field, x: f64, wanted: f64) -> f64 {
         let near = EDGE * self.length();
         let edges = edges(self.solution).into_iter().filter(|edge| (edge - x).abs() <= near);

@@ -103,8 +103,9 @@ pub fn read(record: &Record) -> Result<Model, String> {
     for line in &record.lines {
         let Line { key, words } = line;
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        add(&mut model, key, &words)
-            .ok_or_else(|| format!("{}: the line {line:?} is no part of a model", record.title))?;
+        add(&mut model, key, &words).ok_or_else(|| {
+            format!("{}: the line {line:?} does not describe a part of a model", record.title)
+        })?;
     }
     Ok(model)
 }

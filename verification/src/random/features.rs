@@ -22,7 +22,7 @@ pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
 }
 
 /// Varies EI along one to three stretches of the beam. EI is linear, or proportional to the third or fourth power of
-/// a linear depth, or a polynomial with random control values.
+/// a linear depth, or a polynomial with random Bernstein coefficients.
 pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     for [from, to] in stretches(length, dice) {

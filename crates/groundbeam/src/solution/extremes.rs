@@ -146,7 +146,7 @@ mod tests {
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // If several values within one piece are equal, both extremes are at the leftmost position too.
+        // If several values within one piece are equal, both extremes are at the leftmost position.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
             widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
@@ -168,8 +168,8 @@ mod tests {
             let mut all: Vec<SolutionPiece> =
                 (0..1 + round % 5).map(|i| piece([i as f64, i as f64 + 1.0])).collect();
             for of in &mut all {
-                // Some pieces have much smaller values than the others. They cannot contain an extreme, so `range`
-                // does not compute the roots of their derivatives.
+                // Some pieces have much smaller values than the others. They usually cannot contain an extreme, so
+                // `range` need not compute the roots of their derivatives.
                 let size = if digit() > 1.0 { 1.0 } else { 0.0625 };
                 let mut some = |least: usize| -> crate::numeric::polynomial::Coefficients {
                     let count = least + (digit() + 4.0) as usize / 2;
