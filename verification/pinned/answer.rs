@@ -32,7 +32,7 @@ fn of_solution(solution: &Solution, in_full: bool) -> String {
         + &of_fields(solution, in_full)
 }
 
-/// Returns lines of text that list the contact forces, the reactions and the hinges.
+/// Returns the lines of contact forces, reactions and hinges.
 pub fn forces(solution: &Solution) -> String {
     let ends = solution.end_forces();
     let forces = solution.concentrated_forces().iter().flat_map(|force| [force.at, force.force]);
