@@ -253,8 +253,8 @@ def gap(r, index):
 
 # Models with a load at a contact edge. Each row contains l, EI, k, mu, the common position of a unit force and of a
 # moment, this moment, and further loads, the first of which is at the contact edge. The secant method found the moment
-# for which the distance between this load and the edge is at most 1e-16. Only in the second row the moment is smaller
-# by 1e-9, and the distance is about 3e-9.
+# for which the distance between this load and the edge is at most 1e-16. In the second row only, the moment is 1e-9
+# less than the moment found, and the distance is about 3e-9.
 EDGE_LOADS = [
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),

@@ -34,7 +34,7 @@ pub enum Quantity {
     EndForce,
     /// Position of the left contact edge, relative to the length l.
     Edge,
-    /// Relative energy gap of the certificate.
+    /// Energy gap of the computed solution, which is its primal minus its dual energy, relative to the strain energy.
     Gap,
 }
 

@@ -9,9 +9,9 @@ const LENGTH: f64 = 12.0;
 const BEYOND: f64 = 2.0;
 /// Number of steps of the load from one end of the beam to the other end.
 const PLACES: usize = 48;
-/// Number of equal steps along the beam at whose ends the fields are computed.
+/// Number of equal parts into which the beam is divided. The fields are computed at the ends of each part.
 const POINTS: usize = 40;
-/// Number of equal steps along the shown ground outside each end of the beam.
+/// Number of equal parts into which the ground shown beyond each end of the beam is divided.
 const OUTSIDE: usize = 8;
 /// Width of the picture in pixels.
 const WIDTH: f64 = 800.0;

@@ -275,9 +275,9 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if family == Family::Neighbours {
         add_neighbours(&mut model, dice);
     }
-    // λl is the length of the beam, measured in wave lengths (4EI/k)^¼. At λl = 100, a moment that shifts the
-    // resultant of the loads to an end would lift the beam by more than 10⁶ times its settlement. Therefore only
-    // beams with λl below 30 get such a moment.
+    // λl is the length of the beam divided by the characteristic length 1/λ = (4EI/k)^¼. At λl = 100, a moment that
+    // shifts the resultant of the loads to an end would lift the beam by more than 10⁶ times its settlement. Therefore
+    // only beams with λl below 30 get such a moment.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
     }

@@ -51,7 +51,8 @@ pub struct InnerForce {
     pub force: f64,
 }
 
-/// The answers in `reference/doubtful.json`, for models whose contact state depends on the rounding errors of doubles.
+/// The answers in `reference/doubtful.json`, for models whose contact state depends on the rounding errors of double
+/// precision.
 #[derive(Debug, Deserialize)]
 pub struct Doubtful {
     /// Models with a stretch whose force or clearance is below the rounding error.
@@ -60,14 +61,14 @@ pub struct Doubtful {
     pub balance: Balance,
 }
 
-/// A reference answer for a model with a stretch where force or clearance is so small that doubles cannot decide
-/// whether the beam touches the ground.
+/// A reference answer for a model with a stretch where force or clearance is so small that a computation in double
+/// precision cannot decide whether the beam touches the ground.
 #[derive(Debug, Deserialize)]
 pub struct DoubtfulZone {
     /// The reference answer.
     #[serde(flatten)]
     pub answer: Answer,
-    /// The stretch on which contact cannot be decided in doubles.
+    /// The stretch of the beam on which a computation in double precision cannot decide whether there is contact.
     pub doubtful: Stretch,
 }
 

@@ -50,8 +50,8 @@ pub struct Stopped {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {
-    /// The relative residual of the contact condition (5.10) of the paper, after the last sweep of Uzawa's iteration or
-    /// of PSOR.
+    /// The relative residual of the contact condition (5.10) of Kikuchi's paper, after the last sweep of Uzawa's
+    /// iteration or of PSOR.
     Sweeps(f64),
     /// The last displacement of a contact edge, as a fraction of the beam's length.
     Edges(f64),
@@ -69,8 +69,8 @@ pub enum NotConverged {
     LiftOff(f64),
     /// The last relative change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
     Soil(f64),
-    /// The relative energy gap of the certificate, which is too large because the loads cancel each other to rounding
-    /// error.
+    /// The relative energy gap of the certificate. It is too large because the loads cancel each other up to rounding
+    /// errors.
     CancellingLoads(f64),
     /// The relative energy gap of the certificate, which is larger than its tolerance.
     Gap(f64),

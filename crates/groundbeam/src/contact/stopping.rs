@@ -7,13 +7,14 @@
 /// contact zone.
 pub(crate) const CONVERGED_MOVE: f64 = 1e-15;
 
-/// Move of the contact edges in one step that may be rounding error. The iteration has converged if no edge moves by
-/// more and the preceding move was at most four times as long. If Newton's method for the edges moves no edge by more,
-/// the contact set of the step is computed from the obstacle problem.
+/// Largest move of a contact edge in one step that may be only rounding error. The iteration has converged if no edge
+/// moves farther than this in a step, and the largest move in the preceding step was at most four times the largest
+/// move in this step. If a step of Newton's method for the edges moves no edge farther than this, the contact set is
+/// computed from the obstacle problem instead.
 pub(crate) const ROUNDING_MOVE: f64 = 1e-12;
 
-/// Move of the contact edges up to which a step is rounding error, if [`STALE_STEPS`] consecutive steps have not halved
-/// the smallest move. Model 774 of the random family Hard needs this criterion.
+/// Largest move of a contact edge in one step that counts as rounding error, if [`STALE_STEPS`] consecutive steps have
+/// not halved the smallest move so far. Model 774 of the random family Hard needs this criterion.
 pub(crate) const JITTER: f64 = 1e-7;
 
 /// Distance between beam and ground, in units in the last place of the deflection, below which rounding error decides
@@ -57,11 +58,11 @@ impl StepLimit {
     }
 }
 
-/// Limit on the Newton steps of a contact iteration in the continuation in the beam's stiffness, or of one that starts
-/// from the result of this continuation. A short gap between two contact zones closes slowly under the line search. The
-/// random models Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839 the number
-/// of steps times the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300 steps take
-/// a minute and do not converge.
+/// Limit on the Newton steps of a contact iteration that is part of the continuation in the beam's stiffness, or that
+/// starts from the result of this continuation. A short gap between two contact zones closes slowly under the line
+/// search. The random models Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839
+/// the number of steps times the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300
+/// steps take a minute and do not converge.
 pub(crate) const MOST_STEPS: StepLimit = StepLimit { always: 60, most: 400, work: 100_000 };
 
 /// Limit on the Newton steps of a contact iteration that starts from the initial guess or from the contact of a
@@ -92,8 +93,8 @@ pub(crate) const ROUNDING_GAP: f64 = 1e-18;
 /// Relative Newton decrement below which a decrease of the energy is rounding error.
 pub(crate) const LEAST_FALL: f64 = 1e-26;
 
-/// Two contact zones are joined if the open ground between them is at most this long, because such short open ground is
-/// due to rounding error.
+/// Two contact zones are joined if the part of the beam out of contact between them is at most this long, because such
+/// a short part is due to rounding error.
 pub(crate) const SLIT: f64 = 1e-10;
 
 /// Contact force of a zone, relative to the total contact force, below which the zone may be left out of contact. The

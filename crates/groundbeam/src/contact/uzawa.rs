@@ -1,4 +1,4 @@
-//! Solves the nodal problem by Uzawa's iteration of the paper, (5.14)–(5.18), or by successive over-relaxation.
+//! Solves the nodal problem by Uzawa's iteration, (5.14)–(5.18) of Kikuchi's paper, or by successive over-relaxation.
 //!
 //! In the problem with nodal pressures (5.5), the pressure p ≥ 0 minimises ½pᵀ(G + C)p plus a linear term, where G is
 //! the flexibility matrix of the ground and C is the flexibility matrix of the beam. The constraints are the
@@ -43,10 +43,10 @@ const MOST_NEWTON: usize = 200;
 /// Choice of the relaxation parameters ρᵢ of the nodes i.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Relaxation {
-    /// One relaxation parameter ρ for all nodes, (5.17) of the paper.
+    /// One relaxation parameter ρ for all nodes, (5.17) of Kikuchi's paper.
     Uniform,
     /// Relaxation parameters ρᵢ that are inversely proportional to the flexibility Gᵢᵢ of the ground at node i, (5.18)
-    /// of the paper.
+    /// of Kikuchi's paper.
     Diagonal,
 }
 
@@ -93,8 +93,8 @@ pub(crate) fn solve(
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
 
-/// Computes the nodal pressures of the paper, (5.5), for the bilateral problem, in which the ground can also pull. Sets
-/// tensile pressures to zero. Uzawa's iteration (5.15) of the paper can start from these pressures.
+/// Computes the nodal pressures (5.5) of Kikuchi's paper for the bilateral problem, in which the ground can also pull.
+/// Sets tensile pressures to zero. Uzawa's iteration (5.15) can start from these pressures.
 fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     let mut workspace = Workspace::default();
     workspace.bond(grid);
@@ -122,8 +122,8 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// Performs one sweep of the iteration (5.17) of the paper. The sweep adds the rigid motion for which the new pressure
-/// satisfies the equilibrium conditions (5.19), in their nodal form (5.20).
+/// Performs one sweep of the iteration (5.17) of Kikuchi's paper. The sweep adds the rigid motion for which the new
+/// pressure satisfies the equilibrium conditions (5.19), in their nodal form (5.20).
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,
@@ -157,7 +157,7 @@ fn sweep(
             let w = deflection[i] + r[0] * rigid[0] + r[1] * rigid[1];
             let value = before[i] - rho[i] * (ahead[0] + behind[i] + gap[i] - w);
             let mut derivative = [0.0; 2];
-            // The new nodal pressure is the positive part of `value`, (5.13) of the paper.
+            // The new nodal pressure is the positive part of `value`, (5.13) of Kikuchi's paper.
             next[i] = value.max(0.0);
             if value > 0.0 {
                 derivative = [0, 1].map(|k| rho[i] * (r[k] - ahead[1 + k]));
@@ -207,9 +207,10 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// Computes the relative residual of the contact condition (5.10) of the paper: the largest change of a nodal pressure
-/// in a sweep, divided by the largest pressure before or after the sweep. If the relaxation parameter ρᵢ of node i is
-/// below 1/Gᵢᵢ, the change at node i is first divided by ρᵢ Gᵢᵢ. Gᵢᵢ is the flexibility of the ground at node i.
+/// Computes the relative residual of the contact condition (5.10) of Kikuchi's paper: the largest change of a nodal
+/// pressure in a sweep, divided by the largest pressure before or after the sweep. If the relaxation parameter ρᵢ of
+/// node i is below 1/Gᵢᵢ, the change at node i is first divided by ρᵢ Gᵢᵢ, where Gᵢᵢ is the flexibility of the ground
+/// at this node.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = before.iter().chain(next).fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;

@@ -24,10 +24,10 @@ pub(super) struct Equilibrium<'a> {
     pub elements: Vec<Element>,
     /// The four unknowns of each element.
     pub shapes: Vec<[f64; 4]>,
-    /// Coefficients of w in each cell of the mesh of power series.
+    /// Power series coefficients of the deflection w in each cell of the mesh that [`Frame::series`] returns.
     pub deflection: Vec<f64>,
-    /// Coefficients of φ, the rotation of the sections, in each cell of the mesh of power series; empty if the beam has
-    /// no shear deformation.
+    /// Power series coefficients of the rotation φ of the cross-sections in each cell of the mesh that
+    /// [`Frame::series`] returns; empty if the beam has no shear deformation.
     pub rotation: Vec<f64>,
     /// Spans of open ground on the mesh of elements.
     pub spans: Vec<Span<f64>>,

@@ -33,15 +33,16 @@ pub(super) struct Linear<'a, const N: usize> {
     elements: Mesh<Dual<N>>,
     /// Range of the cells of `elements` whose data depend on the parameters.
     varied: Range<usize>,
-    /// Mesh of power series and the range of its cells whose data depend on the parameters; `None` if the mesh of
-    /// elements is also the mesh of power series.
+    /// Finer mesh on which w is a power series in each cell, and the range of its cells whose data depend on the
+    /// parameters; `None` if w is a power series in each cell of `elements`.
     series: Option<(Mesh<Dual<N>>, Range<usize>)>,
-    /// For each element whose data depend on the parameters or whose ends are displaced relative to its nodes, the
-    /// element with derivatives. [`Self::vary`] sets the entries of the other elements to `None`.
+    /// One entry for each element. If a parameter changes the data of the element, the position of a load at its end,
+    /// or the settlement of a rigid support at its end, the entry is the element with derivatives with respect to the
+    /// parameters. [`Self::vary`] sets all other entries to `None`.
     pub exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
     /// The four unknowns of each element, computed from the displacements of its nodes.
     pub shapes: Vec<[Dual<N>; 4]>,
-    /// Coefficients of w and φ.
+    /// Power series coefficients of the deflection w and of the rotation φ of the cross-sections.
     pub deflection: Vec<Dual<N>>,
     pub rotation: Vec<Dual<N>>,
     pub spans: Vec<Span<Dual<N>>>,
@@ -235,9 +236,9 @@ impl<'a, const N: usize> Linear<'a, N> {
         std::array::from_fn(|j| force * row[j] + moment * turned[j])
     }
 
-    /// Computes the external force and moment on one end of an element: from the loads and springs of its node, from a
-    /// hinge at the node, from the free-field settlement of the ground and from a moving load. The loads and springs of
-    /// an inner node act on the element on its right.
+    /// Computes the external force and moment on one end of an element. They come from the loads and springs of its
+    /// node, from a hinge at the node, from the free-field settlement of the ground, and from a load at the node whose
+    /// position is a parameter. The loads and springs of an inner node act on the element on its right.
     pub fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
         let j = i + usize::from(right);
         let (node, cell) = (&self.elements.nodes[j], &self.elements.cells[i]);

@@ -16,7 +16,8 @@ use crate::solution::fields::Side;
 /// Relative difference below which two stiffnesses count as equal.
 const EQUAL_STIFFNESS: f64 = 1e-9;
 
-/// Derivatives of a moment and of jumps at one end of a cell, with respect to the position of a load at this end.
+/// Derivatives with respect to the position of a load at one end of a cell: derivatives of the moment on this end, and
+/// of the jumps of the deflection w, the rotation φ, the slope w' and the settlement of the ground at this end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steps {
     /// End of the cell.

@@ -1,4 +1,4 @@
-//! Computes the stiffness and load of one element, the beam between two nodes, (2.11), (5.1) of the paper.
+//! Computes the stiffness and load of one element, the beam between two nodes, (2.11), (5.1) of Kikuchi's paper.
 //!
 //! An element is exact: its deflection solves (2.11). Cells with constant bending stiffness, tension and subgrade use
 //! the [closed form](uniform). All other cells, and beams with shear deformation, use the [series](series). A long
@@ -79,7 +79,8 @@ impl<R: Real> ExactElement<R> {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
-        // Only a quiet element, which has no waves, is longer than two ordinary elements.
+        // Only a quiet element, in which the waves from the ends of the stretch have decayed, is so long that `parts`
+        // exceeds 2.
         if parts(operator, length) > 2 {
             let (element, series) = quiet::element(operator, length);
             return ExactElement { element, functions: Functions::Quiet(series) };

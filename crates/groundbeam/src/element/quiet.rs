@@ -18,9 +18,10 @@ use crate::numeric::real::{Real, sum as sum_of};
 /// Length over which the waves from an end decay to rounding error, as a multiple of 1/λ for the decay rate λ.
 const DEPTH: f64 = 50.0;
 
-/// Smallest length of a stretch that gets one long element without waves (a quiet element) in its middle, as a multiple
-/// of the length over which the waves from the ends of the stretch decay. Shorter stretches get short elements only,
-/// because the error of a bending moment grows with the length of an element.
+/// Smallest length of a stretch that gets a quiet element, as a multiple of the length over which the waves from the
+/// ends of the stretch decay. A quiet element is one long element in the middle of the stretch, where the waves have
+/// decayed. Shorter stretches get short elements only, because the error of a bending moment grows with the length of
+/// an element.
 const SHORTEST: f64 = 40.0;
 
 /// Computes the length over which the waves from the ends of a stretch decay. Returns `None` if the stretch is too
@@ -54,8 +55,8 @@ fn particular<R: Real>(operator: &Operator<R>, length: f64) -> [R; 2] {
     operator.load.map(|load| (load - rise) / operator.subgrade)
 }
 
-/// Computes the quiet element, a long element without waves in which w is a particular solution, and the coefficients
-/// of this solution w(s).
+/// Computes the quiet element, a long element in which the waves from the ends of the stretch have decayed, so its
+/// deflection w(s) is a particular solution of the beam equation. Also returns the coefficients of w(s).
 pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<R>, [R; TERMS]) {
     let ends = particular(operator, length);
     let slope = (ends[1] - ends[0]) / length;

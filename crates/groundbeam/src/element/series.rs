@@ -7,9 +7,10 @@
 //!
 //! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
 //!
-//! A beam without shear deformation has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G = μ g₀′
-//! acts on w′. EI, S, N, the subgrade κ and the loads are polynomials of s, so each coefficient of the state follows
-//! from the preceding coefficients.
+//! A beam without shear deformation has γ = 0 and Q = τ + G − N φ. The moment load g on the beam does work on φ. The
+//! moment load G = μ g₀′, which the shear layer exerts where the initial gap g₀ has a slope, does work on w′. EI, S, N,
+//! the subgrade κ and the loads are polynomials of s, so each coefficient of the state follows from the preceding
+//! coefficients.
 //!
 //! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten half
 //! lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
@@ -36,10 +37,11 @@ pub(crate) struct Series<R = f64> {
     /// Power series coefficients of the rotation φ in the four homogeneous solutions and the particular solution, if
     /// the beam has shear deformation.
     rotation: Option<[Five<R>; TERMS]>,
-    /// For each of the element's four unknowns, the amplitudes of the four homogeneous solutions whose sum has the
-    /// value 1 of this unknown and the value 0 of the other three.
+    /// For each of the element's four unknowns: the amplitudes of the four homogeneous solutions in the combination in
+    /// which this unknown is 1 and the other three unknowns are 0.
     unit: [[R; 4]; 4],
-    /// Amplitudes of the four homogeneous solutions whose sum has the same four unknowns as the particular solution.
+    /// Amplitudes of the four homogeneous solutions in the combination that has the same deflections and rotations at
+    /// the two ends of the element as the particular solution.
     held: [R; 4],
 }
 
@@ -97,11 +99,12 @@ struct Solutions<R> {
     moment: [Five<R>; TERMS],
     /// Vertical force τ.
     force: [Five<R>; TERMS],
-    /// Net vertical force per length κ w − F on the beam: the ground reaction minus the load, with the subgrade modulus
-    /// κ. It does work in a rigid motion.
+    /// Upward force per length κ w − F on the beam: the ground reaction κ w minus the load F, with the subgrade modulus
+    /// κ. [`Self::forces`] computes its virtual work in rigid motions of the element.
     pressure: [Five<R>; TERMS],
-    /// Moment per length N w′ − G − g on the beam, with the tension N, the slope load G and the moment load g. It does
-    /// work in a rigid rotation.
+    /// Moment per length N w′ − G − g on the beam, with the tension N, the moment load G = μ g₀′ of the shear layer due
+    /// to the slope g₀′ of the initial gap, and the moment load g on the beam. [`Self::forces`] computes its virtual
+    /// work in a rigid rotation of the element.
     turning: [Five<R>; TERMS],
 }
 
@@ -160,10 +163,11 @@ impl<R: Real> Solutions<R> {
         all
     }
 
-    /// Sets the state of the five solutions in the middle of the element. There, the four homogeneous solutions have a
-    /// deflection, a rotation, a moment, and a shear force with w′ = 0, one each. In the particular solution, the
-    /// moment m and the shear force Q are such that the rotation φ has φ′ = φ″ = 0 in the middle. Constant imposed
-    /// curvatures and moment loads then do not bend the beam.
+    /// Sets the state of the five solutions in the middle of the element. There, the first homogeneous solution has
+    /// only a deflection, the second only a rotation, the third only a moment, and the fourth a shear force and the
+    /// rotation φ for which w′ = 0. In the particular solution, the moment m and the shear force Q are such that the
+    /// rotation φ has φ′ = φ″ = 0 in the middle. Constant imposed curvatures and moment loads then do not bend the
+    /// beam.
     fn start(&mut self, of: &Polynomials<R>, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
@@ -224,9 +228,10 @@ impl<R: Real> Solutions<R> {
     }
 }
 
-/// Computes the amplitudes of the four homogeneous solutions for the values `wanted` of the element's four unknowns.
-/// The two deformations depend almost only on the solutions with a moment and with a shear force, so the amplitudes of
-/// these two solutions are eliminated first.
+/// Computes the amplitudes of the four homogeneous solutions for the values `wanted` of the element's four unknowns:
+/// the deflection and the rotation of the left end, and the displacement and the rotation of the right end relative to
+/// the rigid motion of the left end. The relative values depend almost only on the two solutions that have a moment or
+/// a shear force in the middle of the element, so the amplitudes of these two solutions are eliminated first.
 fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     let solve = |m: [[R; 2]; 2], r: [R; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];

@@ -31,7 +31,8 @@ pub(crate) struct Uniform<R = f64> {
 #[derive(Debug, Clone, Copy)]
 struct Half<R> {
     /// Power series coefficients c₀, c₂, … or c₁, c₃, … of the two homogeneous solutions and of the particular
-    /// solution. The coefficients of a boundary layer are zero.
+    /// solution. They are zero for a homogeneous solution that is a boundary layer, because a boundary layer is
+    /// computed from exponential functions.
     series: [[R; TERMS / 2]; 3],
     /// Two boundary values of each of the two homogeneous solutions and of the particular solution. They are
     /// combinations of the deflections and rotations of both ends, different for even and for odd solutions.
@@ -82,8 +83,8 @@ impl<R: Real> Uniform<R> {
             }
         };
 
-        // An odd solution has two boundary values: δ = (w_right − w_left)/2, and a θ̄ − δ with half the element length
-        // a and the mean slope θ̄ of the two ends.
+        // An odd solution has two boundary values: δ = (w_right − w_left)/2, and a θ̄ − δ. Here a is half the element
+        // length, and θ̄ is the mean of the slopes at the two ends.
         let solve_odd = |c1, c3, rho| series::<1, R>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [

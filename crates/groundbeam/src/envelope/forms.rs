@@ -89,7 +89,8 @@ fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficien
     }
 }
 
-/// Returns the polynomial of the ground displacement u between two points of a piece of the solution without contact.
+/// Returns the polynomial of the ground displacement u between two points of a piece on which beam and ground are not
+/// in contact.
 fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     let pressed = pressed_ground(piece, ends);
     if !piece.cell.has_free_field() {
@@ -99,8 +100,8 @@ fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     sum(&pressed, &rescale(&piece.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
-/// Returns the part of the ground displacement u that the contact pressure outside a piece without contact causes.
-/// Loads on the ground are excluded.
+/// Returns the polynomial of a part of the ground displacement u between two points of a piece out of contact: the part
+/// due to the contact pressure on the adjacent ground. The part due to loads on the ground is not included.
 fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     if !piece.settlement.is_empty() {
         return rescale(&piece.settlement, 0.5 * (a + b), 0.5 * (b - a));

@@ -147,8 +147,8 @@ mod tests {
     /// cantilever deflects by w, the inclined bar exerts the lateral force P w/b on the tip.
     #[test]
     fn a_cantilever_under_a_pinned_bar() {
-        // The cantilever has the length a, the compression P and the lateral force P w/b at its tip, where w is the
-        // deflection of the tip and b the length of the bar. It buckles if tan z = z (1 + b/a), with z = a √(P/EI).
+        // A cantilever of length a, with a rigid bar of length b hinged to its tip, buckles under the compression P if
+        // tan z = z (1 + b/a), with z = a √(P/EI).
         let (a, b) = (1.0, 0.5);
         let model = Model::new(
             Beam::uniform(a + b, 2.0).with_segment(a, a + b, 2e9),

@@ -91,8 +91,8 @@ impl Buckling {
     }
 }
 
-/// Returns the compression at the end of the equilibrium path and the buckling mode there, of the beam on the supports
-/// that are active there.
+/// Returns the compression at the end of the equilibrium path, and the buckling mode of the beam on the supports that
+/// are active at this compression.
 fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
     let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };

@@ -1,4 +1,4 @@
-//! Decides from loads and supports alone whether an equilibrium exists, by a sharper form of theorem 2 of the paper.
+//! Decides from loads and supports alone whether an equilibrium exists, by a sharper form of theorem 2 of Kikuchi's paper.
 //!
 //! The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free rigid motion
 //! r = a x + b ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on
@@ -68,8 +68,8 @@ mod tests {
 
     #[test]
     fn kikuchi_figure_2() {
-        // Case (a) of the figure: a uniform load f₀ acts over a length a about the middle of the beam, and two moments
-        // M₀ act.
+        // Case (a) of figure 2 of Kikuchi's paper: a uniform load f₀ acts over the length a in the middle of the
+        // beam, and a moment M₀ acts at each end of the loaded part.
         let (f0, a, l) = (3.0, 2.0, 4.0);
         for m0 in [2.9, 3.1] {
             let model = beam()
@@ -80,7 +80,8 @@ mod tests {
                 f0 * a > 0.5 * f0 * a + 2.0 * m0 / l && 0.5 * f0 * a + 2.0 * m0 / l > 0.0;
             assert_eq!(exists(&model), condition, "(a) {m0}");
         }
-        // Case (b) of the figure: a uniform load f₀ acts on [0, a], and a moment M₀ acts.
+        // Case (b) of figure 2 of Kikuchi's paper: a uniform load f₀ acts on the left part [0, a] of the beam, and a
+        // moment M₀ acts to the right of this part.
         for m0 in [-7.0, -5.0, 17.0, 19.0] {
             let model = beam()
                 .with_load(Load::uniform_force(0.0, a, f0))
@@ -88,8 +89,9 @@ mod tests {
             let middle = a / (2.0 * l) * f0 * a + m0 / l;
             assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
         }
-        // Case (c) of the figure: the force f₁ and the force f₂ act at the left end, together with the moment −f₂ a, so
-        // f₂ acts at the distance a to the left of this end. The force f₃ acts at the right end.
+        // Case (c) of figure 2 of Kikuchi's paper: the force f₁ acts at the left end of the beam, the force f₃ at its
+        // right end, and the force f₂ on an arm, at the distance a to the left of the left end. In the model, f₂ acts
+        // at the left end together with the moment −f₂ a.
         for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
             let (f1, a) = (2.0, 1.0);
             let model = beam()

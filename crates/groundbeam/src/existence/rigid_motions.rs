@@ -302,10 +302,10 @@ mod tests {
         }
     }
 
-    /// The test tries all rigid motions r in which each node stays at rest (r = 0) or rises by one (r = −1). If
-    /// two motions that satisfy the constraints lift common nodes, the motion that lifts only the common nodes
-    /// satisfies the constraints too. So the groups are the smallest sets of nodes whose lift satisfies the
-    /// constraints.
+    /// The test tries all rigid motions r in which each node stays at rest (r = 0) or rises by one (r = −1). If two
+    /// motions satisfy the constraints and some nodes rise in both motions, the motion in which only these nodes rise
+    /// satisfies the constraints too. So the groups of nodes that the tested function returns must be the smallest sets
+    /// of nodes whose rise satisfies the constraints.
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {

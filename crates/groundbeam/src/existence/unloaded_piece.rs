@@ -1,4 +1,4 @@
-//! Decides existence by the ground under the loaded nodes, if a piece of the beam can lift off without work of the loads.
+//! Decides from the ground under the loads whether a beam has an equilibrium if a piece can lift off without work of the loads.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;

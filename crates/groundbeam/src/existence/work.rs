@@ -1,4 +1,7 @@
-//! Computes, from the static reactions, the work of the loads in those rigid motions that generate all lifts of the beam.
+//! Computes, from the static reactions, the work of the loads in the extreme rigid motions that lift the beam off the ground.
+//!
+//! Every rigid motion that lifts the beam off the ground and that supports and tension permit is a sum of positive
+//! multiples of the extreme motions.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;

@@ -229,8 +229,9 @@ pub(crate) fn between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
 
 /// Returns u'/b with b = √(k/μ) at a fraction `t` of an unloaded uniform stretch of the length bh = `length`.
 pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
-    // The slope u'/b is (right·cosh(t·z) − left·cosh((1 − t)·z))/sinh z, with z = `length` and the end values
-    // `left` and `right` of u. The formula for z < 1 has no cancellation if the end values are equal.
+    // At the fraction t of the stretch, u'/b with b = √(k/μ) is (right·cosh(t·z) − left·cosh((1 − t)·z))/sinh z.
+    // Here `length` = z is b times the length of the stretch, and `left` and `right` are the values of the ground
+    // displacement u at its ends. The formula for z < 1 has no cancellation if these two values are equal.
     let series = exp(-length) * 2.0 / -expm1(length * -2.0);
     let cosh_less_one = |z: R| power(sinh(z * 0.5), 2) * 2.0;
     if length.value() < 1.0 {

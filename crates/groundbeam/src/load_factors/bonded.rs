@@ -306,9 +306,9 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// The model of the first deflection has a gap whose slope jumps from 0 to 1 at x = 2, so a contact force μ
-    /// acts at x = 2. The model of the second deflection has no gap and no force at x = 2. The test also
-    /// exchanges the two deflections.
+    /// Combines the concentrated contact forces of two solutions. In the first model, the slope of the initial gap
+    /// jumps from 0 to 1 at x = 2, so a contact force μ acts at x = 2. The second model has no gap, so its force at
+    /// x = 2 is zero. The test also exchanges the two solutions.
     #[test]
     fn forces_of_one_of_two_deflections() {
         let even = on(Foundation::pasternak(4.0, 9.0));

@@ -1,4 +1,4 @@
-//! Ground along the whole line, with k(x) and μ(x) defined segment by segment, as in (2.2) and Remark 2 of the paper.
+//! Ground along the whole x-axis, with k(x) and μ(x) defined segment by segment, as in (2.2) and Remark 2 of Kikuchi's paper.
 
 use super::beam::Beam;
 use super::profile::{CellPolynomial, Profile};

@@ -1,4 +1,4 @@
-//! Model of a beam on ground: beam, foundation, loads, supports, hinges, gap (section 2, Remark 1 and Remark 2 of the paper).
+//! Model of a beam on ground: beam, foundation, loads, supports, hinges, gap (section 2, Remarks 1 and 2 of Kikuchi's paper).
 //!
 //! All numbers of a model must belong to one coherent system of units: m, N, rad and derived units, or any other
 //! system in which force = stiffness × length. This module does not convert units.

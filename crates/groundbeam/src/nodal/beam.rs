@@ -34,7 +34,8 @@ pub(crate) struct Beam {
     tension: f64,
     /// The functions c₀ … c₅ in the [formula of the deflection](self), evaluated at the right end of the element.
     c: [f64; 6],
-    /// Determinant c₂² − c₁c₃ of the equations for the constants of integration of the deflection.
+    /// Determinant c₂² − c₁c₃ of the equations A c₂ + B c₃ = x and A c₁ + B c₂ = y, which give the constants of
+    /// integration A and B of the deflection for known x and y. The coefficients c₁, c₂ and c₃ are entries of `c`.
     determinant: f64,
     /// Load terms F₀ and F₁ in the [formula of the deflection](self). F₀ is (f − g')h⁴/EI at the left end of the
     /// element, with the distributed force f and the distributed moment g. F₁ is the change of this term over the

@@ -21,9 +21,10 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds the contributions of consecutive nodes of a row, from node number `from` of the row on, to the partial
-    /// sums. `gap` contains the gap at the first node of the row, including the free-field settlement, and the
-    /// increment of the gap from node to node.
+    /// Updates the partial sums and maxima with the ground forces `f`, the deflections `w` and the ground displacements
+    /// `u` at consecutive nodes of a row of equal elements. The first of these nodes has the number `from` in the row.
+    /// `gap` contains the sum of initial gap and free-field settlement at the first node of the row, and the increment
+    /// of this sum from node to node.
     #[inline(always)]
     fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };

@@ -1,4 +1,4 @@
-//! Arithmetic on one number for each elimination along the beam, so that one instruction advances one or two eliminations.
+//! Vector (SIMD) arithmetic with one number per elimination along the beam: one instruction advances one or two eliminations.
 
 use std::ops::{Add, Mul, Sub};
 

@@ -26,8 +26,9 @@ impl Layer {
             return Layer::default();
         }
         let half = 0.5 * h * (spring / shear).sqrt();
-        // From node to node the ground displacement decays by e^(−β), with sinh(β/2) = `half`. The stiffness is
-        // (μ/h) sinh β, which equals √(kμ) cosh(β/2).
+        // On unloaded uniform ground that extends from an end node to infinity, the ground displacement decays from
+        // node to node by the factor e^(−β), with sinh(β/2) = `half`. The force at the end node per unit displacement
+        // of this node is (μ/h) sinh β = √(kμ) cosh(β/2), with the node distance h.
         let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
         Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }

@@ -1,4 +1,4 @@
-//! Solves the discrete problem (5.5), (5.10), (5.11) of the paper, with ground forces at the nodes, for millions of elements.
+//! Solves Kikuchi's discrete problem (5.5), (5.10), (5.11), with ground forces at the nodes, for up to millions of elements.
 //!
 //! Between nodes the deflection is the exact solution of the beam equation, in place of the cubic element
 //! (5.2). The methods with a mesh, the solver for long beams and the first phase of the exact method use this

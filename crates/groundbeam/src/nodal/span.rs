@@ -33,8 +33,9 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// Returns the deflection, the rotation and the two deformations of the piece as seen from its other end. `own`
-    /// contains these four values as seen from the first end.
+    /// Computes the four unknowns of the mirror image of the piece from the unknowns `own` of the piece. They are the
+    /// deflection and the rotation of the first end, and the displacement and the rotation of the second end relative
+    /// to the rigid motion of the first end. The mirror image exchanges the two ends.
     pub fn mirrored(&self, own: [f64; 4]) -> [f64; 4] {
         mirror_shape(&own, self.length, Basis::Deformation)
     }

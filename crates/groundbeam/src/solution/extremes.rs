@@ -146,7 +146,8 @@ mod tests {
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // If several values within one piece are equal, both extremes are at the leftmost position.
+        // If all values in a piece are equal, both the smallest and the largest value are reported at the leftmost
+        // position.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
             widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
@@ -196,8 +197,8 @@ mod tests {
         }
     }
 
-    /// If the values at the ends of the pieces differ only in the last bits, the extremes of the range are bit for
-    /// bit the smallest and the largest of these values in the results.
+    /// If a field's values at the ends of the pieces differ only in their last bits, the reported minimum and maximum
+    /// equal the smallest and the largest of these values exactly.
     #[test]
     fn ends_within_rounding_error_are_compared_exactly() {
         // The sums 0.1 + 0.2 + 0.3 and 0.3 + 0.2 + 0.1 have different rounding errors.

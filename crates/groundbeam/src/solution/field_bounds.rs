@@ -112,8 +112,9 @@ pub(crate) mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The test bounds 1 + 2s + 3s² − 4s³ − 5s⁴ + 6s⁵ for −1 ≤ s ≤ 1. The terms 3s² and −5s⁴ contribute −3 to 5 to
-    /// the deviation from the straight line between the end values, the terms −4s³ and 6s⁵ at most 10 in magnitude.
+    /// The test bounds 1 + 2s + 3s² − 4s³ − 5s⁴ + 6s⁵ for −1 ≤ s ≤ 1. To the deviation of this polynomial from the
+    /// straight line between its end values, the terms 3s² and −5s⁴ contribute between −3 and 5, and the terms −4s³ and
+    /// 6s⁵ contribute at most 10 in magnitude.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
