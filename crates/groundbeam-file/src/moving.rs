@@ -72,8 +72,9 @@ impl MovingTrain {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }
 
-    /// Returns the train once for each placement of its loads of infinite length. The list beside each train contains
-    /// fixed loads on one half of the beam, which replace the loads without front and rear end.
+    /// Returns the train once for each placement of its loads of infinite length, with a list of fixed loads. A
+    /// uniform load without front and rear end does not move with the train if it is placed on one half of the beam.
+    /// The list contains each such load.
     pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
         let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
         let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));

@@ -63,8 +63,8 @@ impl<C: Scalar> Arc<C> {
         let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
         let sinh = (fallen * double).div(self.divisors[0]);
         let cosh = -(fallen * (double + two)).div(self.divisors[0]);
-        // The second term of u is u_L cosh(c)/cosh(z/2) with c = b(h/2 − x), b = √(k/μ) and z = bh, where h is the
-        // length of the piece.
+        // The ground displacement is u = (u_R − u_L) sinh(bx)/sinh(z) + u_L cosh(c)/cosh(z/2), with the values u_L
+        // and u_R at the ends of the piece, its length h, b = √(k/μ), z = bh and c = b(h/2 − x).
         let c = self.decay * (self.length.scaled(-1) - x);
         let negative = c.middle() < 0.0;
         let size = if negative { -c } else { c };

@@ -80,7 +80,8 @@ struct Cell<S> {
     length: S,
 }
 
-/// Tridiagonal system of equations for λ, the relative correction of the contact pressure, at the cuts of the beam.
+/// Tridiagonal system of equations for the values of λ, the relative correction of the contact pressure, at the
+/// nodes that divide the beam into cells.
 struct System<S> {
     rows: Vec<Row<S>>,
 }
@@ -104,8 +105,8 @@ impl<S: Scalar> System<S> {
     fn solved(mut self) -> Option<Vec<S>> {
         let rows = &mut self.rows;
         if rows.iter().all(|row| row.right == S::zero()) {
-            // No residual force acts at the cuts of the beam, so the relative correction of the contact pressure is
-            // zero at all cuts.
+            // No residual force acts at the nodes that divide the beam into cells, so the relative correction of
+            // the contact pressure is zero at all these nodes.
             return Some(rows.iter().map(|row| row.right).collect());
         }
         for j in 0..rows.len() {

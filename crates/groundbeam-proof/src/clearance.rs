@@ -5,7 +5,7 @@
 //!
 //! Each end of an open stretch of a layer is a touching node or an end of the layer. At touching nodes C̄ = 0 by
 //! construction. Let x be the distance from a touching node. For x ≤ d, the penetration is at most τx with a slope
-//! τ. Elsewhere it is at most `deepest`. The correction raises the ground by v = D min(x/d, 1) with D = max(τd,
+//! τ. Elsewhere it is at most `deepest`. The correction lowers the ground by v = D min(x/d, 1) with D = max(τd,
 //! `deepest`). v is zero at every touching node, so the pressures do no work on v. The energy of v satisfies
 //!
 //! ```text
@@ -15,7 +15,7 @@
 //! The sums extend over the pieces of length h of the stretch, over its touching ends, and over the ends of the
 //! beam that the stretch reaches without contact. K is the stiffness of the ground outside an end of the beam.
 //!
-//! On Winkler ground, the correction raises the surface to max(w̄ − g₀, q/k). The norm of this correction is at
+//! On Winkler ground, the correction lowers the surface to max(w̄ − g₀, q/k). The norm of this correction is at
 //! most (Σ kη²ω)^½. η bounds the penetration w̄ − g₀ − q/k on an open piece, and ω is the length on which the
 //! penetration is positive.
 
@@ -27,17 +27,18 @@ use crate::polynomial::{Below, Budget, Polynomial, below, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The heights by which open ground is raised to remove the penetration, and the norms of these corrections.
+/// The distances by which open ground is lowered to remove the penetration, and the norms of these corrections.
 #[derive(Debug)]
 pub(crate) struct Clearance {
-    /// Norm (Σ‖v‖_b²)^½ of the corrections v that raise the surface of shear layers without contact, where ‖v‖_b² =
+    /// Norm (Σ‖v‖_b²)^½ of the corrections v that lower the surface of shear layers without contact, where ‖v‖_b² =
     /// ∫(kv² + μv′²) is twice the energy of the ground. The energies of separate stretches can be summed, because v is
     /// zero at every touching node.
     pub lifted: Size,
-    /// Norm (Σ kη²ω)^½ of the corrections that raise the surface of Winkler ground without contact. Here k is the
-    /// subgrade modulus, and the beam penetrates the ground by at most η on the length ω.
+    /// Norm (Σ kη²ω)^½ of the corrections that lower the surface of Winkler ground to remove penetrations on
+    /// pieces out of contact. Here k is the subgrade modulus, and the beam penetrates the uncorrected surface
+    /// by at most η on the length ω.
     pub risen: Size,
-    /// The height by which the correction raises the ground of each piece.
+    /// The largest distance by which the correction lowers the ground of each piece.
     pub raised: Vec<Size>,
 }
 
@@ -115,7 +116,8 @@ struct Stretch<'a, S> {
 struct Ramp {
     /// Local coordinate t at that end of the neighbourhood that is not the touching node.
     reach: f64,
-    /// A lower bound of the length d of the neighbourhood of the touching node.
+    /// Lower bound of the length d of the interval beside the touching node on which the penetration at the
+    /// distance x from the node is at most τx.
     distance: f64,
     /// Upper bound τd of the penetration in the neighbourhood of the touching node. d is the length of the
     /// neighbourhood, and the penetration at the distance x from the node is at most τx.
@@ -217,7 +219,7 @@ impl<C: Scalar> OpenPiece<C> {
         }
     }
 
-    /// Returns the ground displacement u and its derivative u′ at the local coordinate t.
+    /// Returns the ground displacement u and its slope u′ = du/dx at the local coordinate t of the piece.
     pub fn settlement(&self, t: f64) -> [C; 2] {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }

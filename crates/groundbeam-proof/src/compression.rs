@@ -1,4 +1,4 @@
-//! The axial compression N = −P, and the fraction of the convexity of the energy that remains under this compression.
+//! The axial compression N = −P, and a number σ: the work of N is at most 1 − σ times the strain energy of the beam.
 
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -8,7 +8,8 @@ use crate::size::Size;
 pub(crate) struct Compression<S> {
     /// N = −P.
     pub force: S,
-    /// A lower bound of σ, the fraction of the convexity of the energy that remains under the compression.
+    /// A number σ > 0: for every deflection, the work of the compression is at most 1 − σ times the strain
+    /// energy of the beam and its two-way supports.
     pub margin: f64,
 }
 
@@ -32,7 +33,7 @@ impl<S: Scalar> Compression<S> {
 
     /// Returns T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². On a beam with the axial compression N, T replaces the axial
     /// tension P in the energy K² = K₁² + P∫z′² of a test function z, where K₁² is the energy without axial force.
-    /// σ is the fraction `margin` of the convexity of the energy that remains under the compression, Σhc′² is
+    /// σ is `margin`: the work of the compression is at most 1 − σ times the strain energy of the beam. Σhc′² is
     /// `turned`, and s₂ = √(2E) with the error energy E = `energy`. With Z = ∫z′² and N_c =
     /// [`Compression::misfit`], Cauchy's inequality gives
     ///

@@ -72,8 +72,8 @@ mod tests {
             (&[1.5, 1.5, 0.5], &[0, 3]),
             (&[1.0; 4], &[0, 4]),
             (&[1.0; 5], &[0, 3, 5]),
-            // At the right end of a contact zone, a length of contact of more than 1 between the previous cut and
-            // the node is enough.
+            // At a node that is the right end of a contact zone, a cut requires contact on a length of more than
+            // 1, instead of 2, between the previous cut and the node.
             (&[1.5, -3.0, 1.5], &[0, 1, 3]),
             (&[1.0, -3.0, 1.5], &[0, 3]),
             (&[1.5, -3.0, 1.0], &[0, 3]),

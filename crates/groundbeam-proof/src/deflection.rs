@@ -424,8 +424,9 @@ mod tests {
     }
 
     /// Checks the rotation of the corrected beam at a rigid support. It is the claimed rotation of the adjacent
-    /// piece with a linear correction, or of the right piece if both corrections are linear. In the last case, the
-    /// right piece has a cubic correction, because it is the only piece between two supports.
+    /// piece with a linear correction. If both adjacent pieces have linear corrections, it is the claimed rotation
+    /// of the right piece. In the last example of this test, the right piece has a cubic correction, because it is
+    /// the only piece between two supports.
     #[test]
     fn the_rotation_at_a_support_is_that_of_a_short_piece() {
         let pin = |at: f64| format!("[[support]]\nat = {at:?}\ntype = 'pinned'\n");

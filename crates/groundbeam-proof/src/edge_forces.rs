@@ -118,8 +118,8 @@ mod tests {
     }
 
     /// The beam has the shear stiffness S = 3 and the axial tension P = 1, and the shear layer has μ = 2. Compares the
-    /// error bound of the transverse force with A/(1 − χ) from the documentation of this file, where 1 + α = 3/2 and
-    /// χ = (1 + γ)/3.
+    /// error bound of the transverse force with A/(1 − χ). The documentation at the top of this file explains the
+    /// symbols: here 1 + α = 3/2 and χ = (1 + γ)/3, with γ = 1/4 in contact and γ = 0 out of contact.
     #[test]
     fn the_force_beside_an_edge_is_that_of_the_closed_form() {
         let model = "[beam]\nlength = 1.5\nEI = 1\nshear_stiffness = 3\naxial_force = 1\n\

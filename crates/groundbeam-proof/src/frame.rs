@@ -103,7 +103,8 @@ pub(crate) struct Weights {
     pub spring: f64,
     /// Weighting factor W_θ of a clamp. Redistribution of residual forces with the factor λ changes its moment by λ′W_θ.
     pub clamp: f64,
-    /// Weighting factor W_θ of a rotational spring. Redistribution of residual forces by λ changes its moment by λ′W_θ.
+    /// Weighting factor W_θ of a rotational spring. Redistribution of residual forces with the factor λ(x) changes the moment of
+    /// the spring by λ′W_θ.
     pub turning: f64,
 }
 
@@ -112,8 +113,7 @@ pub(crate) struct Weights {
 pub(crate) struct Held<S> {
     pub x: S,
     pub acts: Acts,
-    /// Node of the support; `None` for an inactive support, which is a one-way support without reaction. An inactive support
-    /// may lie inside a piece.
+    /// Node of the support; `None` for an inactive support (a one-way support without reaction), which may lie inside a piece.
     pub node: Option<usize>,
     /// Stiffnesses κ and κ_θ of a translational and a rotational spring; `None` for a rigid support.
     pub springs: Option<[S; 2]>,
@@ -139,7 +139,8 @@ pub(crate) struct Frame<S> {
     /// Stiffness K₀ and K_l of the ground outside the left and right end of the beam; exactly 0 without such ground. The force in
     /// the shear layer at an end is Ku − T, with the ground displacement u and the load term T.
     pub outside: [S; 2],
-    /// Forces T₀ and T_l at the ends of the beam due to loads on the ground outside. The shear-layer force is Ku − T there.
+    /// Forces T₀ and T_l at the ends of the beam due to loads on the ground outside the beam. The force in the shear layer at an
+    /// end is Ku − T, with the stiffness K of this ground and the ground displacement u.
     pub pushed: [S; 2],
     /// Ground outside the two ends of the beam. `outside` and `pushed` follow from this ground.
     pub rows: [Row<S>; 2],

@@ -166,7 +166,8 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
         moved = larger(moved, span.deflection.coefficient(0).size());
     }
     let all = 10.0 * larger(larger(forces, reactions), largest);
-    // Any positive factor W is valid. Without loads, W = 1 is used.
+    // The weighting factor W of a rigid support may be any positive number. If the computed number is zero or
+    // too large, W = 1 is used.
     let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
     let clamp = rigid * frame.length.square().middle();
     frame.carrier = rigid * frame.length.middle();

@@ -241,9 +241,10 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Returns the distance of a listed pressure near a contact edge from the interval from zero to the larger pressure on
-    /// both sides of the edge. If the contact set is proven, no pressure is negative. `edge` is an interval that contains
-    /// the edge. A neighbouring piece is included if its common node with the piece lies in `edge`.
+    /// Returns how far a listed pressure near a contact edge lies outside the interval from zero to p. If the contact set
+    /// is proven, no pressure is negative. p is the largest claimed pressure: of the piece at the local coordinate t, and
+    /// of each neighbouring piece at the node that it shares with the piece, if this node lies in `edge`. `edge` is an
+    /// interval that contains the contact edge.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);

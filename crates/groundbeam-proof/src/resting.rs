@@ -13,8 +13,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Whether the exact beam is known to lie on the ground without pressure on the whole piece, at the height of a
-    /// clamp.
+    /// Whether it is proven that, in the exact solution, the beam lies on the ground without pressure on the whole
+    /// piece, at the height of a clamp.
     pub(crate) fn rests(&self, piece: usize) -> bool {
         let frame = self.fields.frame;
         let last = frame.spans.len();

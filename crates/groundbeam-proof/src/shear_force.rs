@@ -54,8 +54,8 @@ const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 struct LoadError {
     /// Bound of the error of the pressure, outside the lengths that belong to `edges`.
     spread: Size,
-    /// Bound of the error of the contact force on the lengths where only the exact or only the claimed beam is in
-    /// contact.
+    /// Bound of the error of the contact force on the lengths where the beam is in contact in only one of the two
+    /// solutions, the exact or the claimed one.
     edges: Size,
 }
 
@@ -234,8 +234,8 @@ impl<S: Scalar> Pointwise<'_, S> {
             LoadError { spread, edges: Size::ZERO }
         };
         let mut errors: Vec<LoadError> = (0..spans.len()).map(on_piece).collect();
-        // Near an edge of the claimed contact, the exact beam may be in contact on the length `outside` beyond the
-        // edge, or out of contact on the length `inside` before it.
+        // In the exact solution, the beam may be in contact on the length `outside` beyond an edge of the claimed
+        // contact, or out of contact on the length `inside` before this edge.
         for edge in &shown.edges {
             // `outer` and `inner` are the pieces on both sides of the edge. `outside` is positive only if `outer` is
             // out of contact, and `inside` only if `inner` is in contact.

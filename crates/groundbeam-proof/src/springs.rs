@@ -1,4 +1,4 @@
-//! The exact contact set on Winkler ground: the closure of the set where the exact beam presses on the springs.
+//! The contact set of the exact solution on Winkler ground: the closure of the set where the beam presses on the springs.
 
 use crate::contact_set::{Contact, ContactRegion, Shown, Zone, more};
 use crate::model::Acts;
@@ -19,8 +19,8 @@ impl<S: Scalar> Contact<'_, S> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
         let mut zones = vec![[Size::ZERO; 2]; end - first];
-        // Pieces with `rests` need no check of the claimed fields: the exact beam is known to lie on the ground there
-        // without pressure.
+        // Pieces for which `rests` is true need no check of the claimed fields: in the exact solution, the beam lies
+        // on the ground there without pressure.
         for i in (first..end).filter(|i| !self.rests(*i)) {
             let field = self.signed(i);
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
@@ -104,8 +104,8 @@ impl<S: Scalar> Contact<'_, S> {
     }
 
     /// Finds a short zone beside a rigid support at the height of the ground, on an open piece of a shear layer. In
-    /// this zone the exact beam lies above the initial surface of the ground. Loads on the ground act downward, so
-    /// the ground does not rise, and the exact beam is not in contact.
+    /// the exact solution, the beam lies above the initial surface of the ground in this zone. Loads on the ground
+    /// act downward, so the ground does not rise, and the beam is not in contact.
     pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
         let bounds = &self.bounds[i];
         let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
@@ -140,8 +140,8 @@ impl<S: Scalar> Contact<'_, S> {
         let at_end = growth.value(S::Coarse::of(end)).low();
         let far = (2.0 * limit.over(at_end)).value();
         let long = if lies { (2.0 * far).sqrt() } else { far };
-        // A shorter zone could not be told from the rounding error of its end, measured in the coordinate t of the
-        // piece.
+        // The length of the zone, in the local coordinate t of the piece, is at least twice the machine precision,
+        // so that rounding does not reduce the zone to a point.
         let mut long = long.max(2.0 * f64::EPSILON);
         for _ in 0..12 {
             let to = end + inward * long;
@@ -212,9 +212,9 @@ mod tests {
     /// w = −¼(1 − t²).
     const HOLLOW: Claimed = (false, [-0.25, 0.0, 0.25]);
 
-    /// The claimed beam crosses the surface of the ground at x = ½ and x = ¾ with the slopes −4 and 4. At a distance of
-    /// 0.005 from these positions, |w − g₀| is about 0.02, more than the error bound 0.01 of w. So each edge is known
-    /// to within 0.005. The check begins at x = ¼, so the first region begins there too.
+    /// The claimed deflection w crosses the surface of the ground at x = ½ and x = ¾ with the slopes −4 and 4. At a
+    /// distance of 0.005 from these positions, |w − g₀| is about 0.02, more than the error bound 0.01 of w. So each
+    /// edge is known to within 0.005. The check begins at x = ¼, so the first region begins there too.
     #[test]
     fn edges_lie_where_the_beam_crosses_the_ground() {
         with_pieces(&[RISING, FALLING, HOLLOW, RISING], "", |fields| {

@@ -1,4 +1,4 @@
-//! The fraction of the convexity of the beam's energy that remains under an axial compression.
+//! Computes a number σ > 0: the work of an axial compression is at most 1 − σ times the strain energy of the beam.
 //!
 //! N = |P| is the compression. For a deflection z, a₀(z, z) = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² is twice the strain energy of
 //! the beam and its two-way supports. κ and κ_θ are the stiffnesses of translational and rotational springs, and k_φ those
@@ -33,8 +33,8 @@ const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
 /// The largest ratio N₁/N that is tried, with the compression N and a compression N₁ under which the beam is stable.
 const MOST: f64 = 64.0;
 
-/// Lower bound of the fraction σ of the energy's convexity that remains under the compression N; `None` if no bound
-/// is found.
+/// Returns a number σ > 0 such that, for every deflection, the work of the compression N is at most 1 − σ times the
+/// strain energy of the beam and its two-way supports; `None` if no such number is found.
 pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let by_spans = of_spans(frame, compression);
     if by_spans.is_some_and(|margin| margin > 0.5) || frame.shears() {
@@ -54,9 +54,9 @@ fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
     node.rigid.is_some() && node.acts == Acts::Both
 }
 
-/// Computes the fraction σ of the energy's convexity that remains under the compression. The beam must have rigid
-/// supports at both ends, or a clamp at one end as its only rigid support. Returns `None` for other beams and for beams
-/// with hinges.
+/// Computes a number σ > 0 such that, for every deflection, the work of the compression is at most 1 − σ times the
+/// strain energy. The beam must have rigid supports at both ends, or a clamp at one end as its only rigid support.
+/// Returns `None` for other beams, for beams with hinges, and if no such number is found.
 fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let nodes = &frame.nodes;
     let last = nodes.len() - 1;
@@ -93,8 +93,9 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// Computes the remaining fraction σ = 1 − N/N₁ of the convexity under the compression N. N₁ is the largest
-/// compression found for which the stiffness matrix of the elements is positive definite.
+/// Computes σ = 1 − N/N₁ from the compression N and the largest compression N₁ found for which the stiffness
+/// matrix of the elements is positive definite. For every deflection, the work of N is at most 1 − σ times the
+/// strain energy.
 fn of_elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     compression: S,

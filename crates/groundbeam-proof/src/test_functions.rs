@@ -44,9 +44,10 @@ pub(crate) fn kink(
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Bound of the energy K² of the test function z = t(1 − t/h)², for every position between two neighbouring nodes
-    /// at which test functions vanish. t is the distance from the position towards the farther node. The length h of z
-    /// is at most half the distance of the two nodes.
+    /// Returns a bound of the energy K² of the test function z = t(1 − t/h)² for 0 ≤ t ≤ h and z = 0 elsewhere. The
+    /// bound holds for every position between the first and the last of `nodes`. All test functions vanish at these
+    /// two nodes. t is the distance from the position towards the farther of the two nodes, and h is at most half
+    /// their distance.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
         let available = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
@@ -105,9 +106,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut held: Vec<usize> = Vec::new();
         for step in 0..count {
             let i = if side == 0 { step } else { count - 1 - step };
-            // `outer` is the node of the piece nearer to this end of the beam, and `inner` is its other node. All
-            // distances are measured from `inner`, where they are largest. So `sum` is an upper bound of K² for every
-            // position x of the piece.
+            // `outer` is the node of the piece nearer to the end of the beam that `side` selects, and `inner` is its
+            // other node. All distances are measured from `inner`, the farther node. So `sum` is an upper bound of K²
+            // for every position x of the piece.
             let (outer, inner) = (i + side, i + 1 - side);
             let node = &frame.nodes[outer];
             if node.rigid.is_some() {

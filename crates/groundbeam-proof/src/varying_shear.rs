@@ -9,7 +9,7 @@
 //! ```
 //!
 //! A/h + B comes from the errors of moment, deflection and axial force. C + Dε_T bounds the right side of (14b), and
-//! p₀ bounds the pressure where only the exact or only the claimed beam is in contact. For h < 2/D
+//! p₀ bounds the pressure where the beam is in contact only in the exact or only in the claimed solution. For h < 2/D
 //!
 //! ```text
 //! ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD).
@@ -33,8 +33,8 @@ where
 
 impl<S: Scalar> Pointwise<'_, S> {
     /// Returns an error bound from (14b) of docs/proof.md. On a piece in contact, it is the error bound of the pressure
-    /// wherever the exact beam is in contact too. On a piece out of contact, it is the error bound of (μC′)′, with the
-    /// clearance C.
+    /// wherever the beam is in contact in the exact solution too. On a piece out of contact, it is the error bound of
+    /// (μC′)′, with the clearance C.
     pub(crate) fn varying_pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(stiffness) = varying(span) else { return Size::INFINITE };
@@ -284,8 +284,8 @@ mod tests {
     }
 
     /// In contact, the error bound of the pressure from (14b) of docs/proof.md is divided by 1 + α, with α = μ/(S + P)
-    /// ≥ 0.2. Out of contact, the bound of (μC′)′ is not divided. There, the bound `first_slope` uses the pressure that
-    /// the ground would exert if the beam were in contact with it.
+    /// ≥ 0.2. Out of contact, the bound of (μC′)′, with the clearance C between beam and ground, is not divided. There,
+    /// the bound `first_slope` uses the pressure that the ground would exert if the beam were in contact with it.
     #[test]
     fn the_pressure_needs_the_slope_and_the_slope_the_pressure() {
         for touches in [true, false] {

@@ -97,8 +97,8 @@ fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>)
 /// magnitudes of the fields are computed once for each train position.
 pub(crate) struct Rounding<'a> {
     passages: Passages<'a>,
-    /// Typical magnitudes of the fields at each train position; `None` if its passage has no solved position.
-    /// The key is the index of the passage, and the position of the first axle as the bits of the double.
+    /// Typical magnitudes of the fields at each train position; `None` if no position of the passage was
+    /// solved. The key is the index of the passage and the bit pattern of the position of the first axle.
     sizes: BTreeMap<(usize, u64), Option<Sizes>>,
 }
 

@@ -46,8 +46,8 @@ kinds! {
     PerLength,
 }
 
-/// In the system of tonne-force and kilogram-force, a zero is printed in the unit of this value, which is
-/// in SI units.
+/// In the system of tonne-force and kilogram-force, a zero is printed in the unit that is used for a value of
+/// this magnitude. The magnitude is in SI units.
 pub(super) const TECHNICAL: f64 = 1e4;
 
 /// One tonne-force, 1000 × 9.806 65 N.

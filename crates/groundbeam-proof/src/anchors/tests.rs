@@ -31,11 +31,12 @@ fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
             let ratio = bound.value() / exact;
             assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
         };
-        // At the midpoint between two anchors, the kernel that multiplies the derivative of the rotation error is half
-        // the distance from the nearer anchor. The kernel that multiplies the error of the shear strain is ±½.
+        // The bound of `between` applies to the midpoint between two anchors. There, the kernel that multiplies the
+        // derivative of the rotation error is half the distance from the nearer anchor. The kernel that multiplies the
+        // error of the shear strain is ±½.
         let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
         is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
-        // The second bound applies to the end of an overhang beyond two anchors. On the overhang, the kernel that
+        // The bound of `beyond` applies to the end of an overhang beyond two anchors. On the overhang, the kernel that
         // multiplies the derivative of the rotation error is the distance from this end. Between the anchors, this
         // kernel decreases linearly from `over` to zero. The kernel that multiplies the error of the shear strain is 1
         // on the overhang and `over / h` between the anchors.
@@ -44,18 +45,18 @@ fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
         let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
         let exact = near + (near + far) * over / h + s * bent + sheared * slid;
         is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
-        // The third bound applies to the end of an overhang if the rotation error is bounded at a second position.
-        // Between this position and the anchor, the kernel that multiplies the derivative of the rotation error is
-        // `over`, the length of the overhang.
+        // The bound of `along_slope` applies to the end of an overhang if the rotation error is bounded at a
+        // position beside the overhang. Between this position and the overhang, the kernel that multiplies the
+        // derivative of the rotation error is `over`, the length of the overhang.
         let bent = (outside + integral(h, |_| over * over)).sqrt();
         let exact = slope * over + s * bent + sheared * over.sqrt();
         is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
     }
 }
 
-/// Compares the bound of `from_mean` with numerical integration. The bound is (1 + √2)(mean of a + mean of b) + b at
-/// the ends of the interval. Here a is the absolute error of the deflection, and b bounds the difference between the
-/// error and its tangent at the midpoint.
+/// Compares the bound of `from_mean` with numerical integration. The bound is (1 + √2)(mean of a + mean of b) + b₁.
+/// Here a is the absolute error of the deflection, and b bounds the difference between the error and its tangent at
+/// the midpoint of the interval. b₁ is the value of b at the ends of the interval.
 #[test]
 fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     let mut random = numbers();

@@ -109,9 +109,9 @@ fn the_surface_joins_the_corrected_beam() {
     }
 }
 
-/// The beam has the deflection w = t/10 with −1 ≤ t ≤ 1 and is claimed to be out of contact. On one half of its
-/// length, ¾, it lies below the ground surface u = 0 by at most 1/10. Checks the energy norm of the surface
-/// correction that removes this penetration.
+/// The beam of length 1.5 has the deflection w = t/10 with −1 ≤ t ≤ 1 and is claimed to be out of contact. On
+/// the half with t > 0, which has the length 0.75, the beam lies below the ground surface u = 0 by at most 0.1.
+/// Checks the energy norm of the surface correction that removes this penetration.
 #[test]
 fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
     let text = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 2\n[[load]]\npoint = 1\nat = 0\n";

@@ -125,8 +125,10 @@ fn an_edge_moves_inward_by_the_missing_force() {
                 fields.surface.nodes[node].jump = Wide::of(jump);
                 let contact = Contact { fields, bounds: &bounds };
                 let found = contact.edge(node, side, &beside);
-                // For a = 0.05, the force 0.2 is missing. A contact length of one unit of t, 0.15, is too short
-                // for the pressure 1 to supply it, so the edge has no bound.
+                // If the concentrated contact force a is 0.05, less than its error bound 0.25, the pressure 1
+                // must supply the difference 0.2. The search covers at most one unit of the local coordinate t,
+                // which is 0.15 long. On this length, the pressure supplies only 0.15, so the edge has no
+                // bound.
                 let Ok(found) = found else {
                     assert_eq!(jump, 0.05);
                     continue;

@@ -303,8 +303,8 @@ fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
 
 /// Checks two pieces out of contact, with given ground displacements at their ends. On the first piece, k and μ
 /// are constant, and the displacement is u = q/k + v with the load q on the ground and a solution v of the
-/// homogeneous equation. On the second piece, μ varies, and u is the stored polynomial. Twice its energy is ∫qu dx
-/// plus μu′u at the right end minus μu′u at the left end.
+/// homogeneous equation. On the second piece, μ varies, and u is the stored polynomial. Twice the energy of the
+/// ground on the second piece is ∫qu dx plus μu′u at the right end minus μu′u at the left end.
 #[test]
 fn the_energies_of_a_stored_surface_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n\

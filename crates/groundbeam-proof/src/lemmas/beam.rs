@@ -161,8 +161,8 @@ fn the_moment_of_redistributed_loads_is_bounded() {
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
-        // The load is `part`/2 times the claimed pressure. The difference of load and pressure is not in
-        // equilibrium and must be redistributed to the pressure.
+        // The load is `part`/2 times the claimed pressure. A relative correction of the pressure must balance
+        // the difference between load and pressure.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);

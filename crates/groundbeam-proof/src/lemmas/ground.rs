@@ -1,4 +1,4 @@
-//! Compares bounds of the ground's error energy with exact energies: of residual forces, tensile pressures and raised surfaces.
+//! Compares bounds of the ground's error energy with exact energies, for residual forces, tensile pressures and beam penetration.
 
 #![cfg(test)]
 
@@ -177,8 +177,8 @@ fn the_energy_of_the_raised_ground_is_bounded() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // The depth of the beam on the stretch out of contact is a linear function plus a second function. The second
-        // function and its slope are zero at each end of the stretch where the beam is in contact.
+        // On the stretch out of contact, the deflection of the beam is a linear function plus a second function. The
+        // second function and its slope are zero at each end of the stretch where the beam is in contact.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {

@@ -48,8 +48,8 @@ fn margin(model: &Model<f64>, compression: f64) -> Option<f64> {
     margin_in::<f64>(model, compression)
 }
 
-/// Returns the proven bound of σ, the fraction of the convexity of the energy that remains under a compression;
-/// `None` if no bound is proven.
+/// Returns the number σ for which the work of a compression is proven to be at most 1 − σ times the strain
+/// energy; `None` if no such number is proven.
 fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
     let length = model.beam.length;
     let support = |support: &Support<f64>| Support {
@@ -186,10 +186,10 @@ fn an_unsupported_beam_has_no_critical_load() {
     assert_eq!(margin(&hung, 1e-3), None);
 }
 
-/// The margin is the part of the convexity of the energy that remains under the compression. First, the longest span
-/// between pins is l = ¾, and the compression N = 1 with EI = 1 leaves the margin 1 − Nl²/π². Second, a strong spring
-/// in the middle of a pinned beam of length 1 halves the buckling length, so the critical load is 4π². The bound from
-/// the span alone is smaller.
+/// The margin is a number σ such that the work of the compression is at most 1 − σ times the strain energy. First
+/// example: the longest span between pins is l = ¾, and the compression N = 1 with EI = 1 gives the margin 1 −
+/// Nl²/π². Second example: a strong spring in the middle of a pinned beam of length 1 halves the buckling length, so
+/// the critical load is 4π². A bound of the margin that ignores the spring is smaller.
 #[test]
 fn the_larger_of_two_bounds_of_the_margin_counts() {
     let pin = SupportKind::Pinned;

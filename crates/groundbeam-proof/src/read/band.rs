@@ -12,8 +12,8 @@ pub(crate) struct Factored<S> {
     factors: [S; 2],
 }
 
-/// A factor on k or μ in two forms: in the number type of the proof, and as the double that the name of the variant
-/// shows.
+/// A factor on k or μ: first in the number type of the proof, then as the double that is printed in the name of the
+/// resulting variant of the ground.
 type Step<S> = (S, f64);
 
 /// Returns the variants of the ground: first the best estimate, then every combination of a factor on k with a factor

@@ -23,7 +23,8 @@ _FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
 _FARTHEST = 2.0
 """Longest step, in logarithms."""
 _VAGUE = 1.0
-"""A linear combination of logarithms of the unknowns is identified only if its inverse standard error is larger."""
+"""A linear combination of the logarithms of the unknowns counts as identified only if its inverse standard error exceeds
+this value."""
 
 
 class Calibration(NamedTuple):

@@ -74,7 +74,7 @@ class Passage:
 
 
 class Passages(Sequence[Passage]):
-    """The passages of all trains, grouped by combination. Each group has the order of the trains."""
+    """The passages of all trains, grouped by combination. Within a group, the passages are in the order of the trains."""
 
     _inner: _native.Answers
     _all: list[Passage]

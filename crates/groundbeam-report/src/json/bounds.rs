@@ -1,4 +1,4 @@
-//! For several combinations, writes error bounds of the envelope, the extremes, their ranges over k and μ, and the checks.
+//! For several combinations, writes the error bounds of the envelope, of extremes and their ranges over k and μ, and of checks.
 
 use super::ByName;
 use crate::checked::rows_of;

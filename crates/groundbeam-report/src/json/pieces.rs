@@ -127,7 +127,7 @@ pub(super) struct Proof {
     unique: bool,
 }
 
-/// Error bound of a field, or error bounds of the single numbers of another quantity.
+/// One error bound of a field, or one error bound for each number of a quantity that is not a field.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Errors {

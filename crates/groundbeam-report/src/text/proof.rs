@@ -237,7 +237,7 @@ fn checked(sheet: &mut Sheet, found: &Verification) {
         sheet.row(
             "",
             &format!(
-                "{what} at contact edges, each compared with zero and the pressures beside the edge"
+                "{what} at contact edges, each compared with zero and with the pressures beside its edge"
             ),
         );
     }

@@ -31,8 +31,8 @@ pub struct Sealed<W> {
     sink: W,
     digest: Sha256,
     written: u64,
-    /// The text with the end and the checksum of each finished block. The digest of the tail, the last block of
-    /// the file, is not yet in it.
+    /// The text that lists, for each finished block, the position of its end in the file and its checksum. The
+    /// checksum of the tail, the last block of the file, is not in this text.
     stated: String,
     /// Bytes of the tail, the last block of the file; `None` before the tail begins. They are stored until
     /// their digest is known.

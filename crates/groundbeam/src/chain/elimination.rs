@@ -271,9 +271,10 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // If the right end of the open ground is in contact with the beam, this ground restrains the deflection of
-    // the right node but not its rotation. The stiffness of the ground is added after the transformation,
-    // because rounding error of the transformation would otherwise restrain the rotation of a free beam.
+    // If the right end of the open ground touches the beam, the ground restrains the deflection of the right
+    // node but not its rotation. Its stiffness is added only after the deflections and rotations of the ends of
+    // the element have been transformed. Otherwise, rounding errors of this transformation would restrain the
+    // rotation of a free beam.
     if let Some(open) = open {
         add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
     }

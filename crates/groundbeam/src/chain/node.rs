@@ -23,8 +23,8 @@ pub(crate) struct ChainNode {
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
-    /// Rotational stiffness of the hinge at this node; `None` without a hinge. Neither a moment nor a
-    /// rotational support acts at a node with a hinge.
+    /// Rotational stiffness of the hinge at this node; `None` without a hinge. A node with a hinge has neither
+    /// an applied moment nor a rotational support.
     pub hinge: Option<f64>,
     /// Stiffness of the ground outside the beam at an end of the beam that is in contact. It acts on the
     /// deflection of the node minus `gap`.
@@ -60,7 +60,8 @@ pub(crate) struct CondensedStiffness {
     pub r: [f64; 3],
 }
 
-/// Connection of one end of open ground: to the free surface of the neighbouring ground, or to the beam.
+/// Connection of one end of a stretch of ground that is out of contact: to the free surface of the neighbouring
+/// ground, or to the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
     /// The free surface at the node.

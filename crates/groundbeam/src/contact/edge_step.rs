@@ -67,10 +67,10 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
 }
 
 /// Computes how far an edge must move outward so that the concentrated force A at the edge becomes zero. An
-/// outward move reduces A by (π − S A/μ) times the move, where π is the pressure, S the stiffness of the open
-/// ground at the edge and μ the stiffness of the shear layer. The edge does not move if the ground can exert a
-/// concentrated force at it ([`can_carry`]), for example at an end of the beam. The result is `None` if this
-/// force is tensile, or if no move makes A zero.
+/// outward move reduces A by (π − S A/μ) times the move, where π is the pressure, S the stiffness of the ground
+/// out of contact beside the edge and μ the stiffness of the shear layer. The edge does not move if the ground
+/// can exert a concentrated force at it ([`can_carry`]), for example at an end of the beam. The result is
+/// `None` if this force is tensile, or if no move makes A zero.
 fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);

@@ -382,9 +382,9 @@ impl Search<'_, '_> {
             self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
         }
         if shortened.part < LEAST_PART {
-            // The next trial contact set is that of the present deflection from the obstacle problem. With this
-            // contact set, the energy certainly decreases in the next step. With a contact set from a Newton
-            // step of the edges, it may increase.
+            // The next trial contact set follows from the obstacle problem for the present deflection.
+            // With this contact set, the energy certainly decreases in the next step. With a contact set from a
+            // Newton step of the edges, the energy may increase.
             let own = self.scan(&from);
             self.needs_springs =
                 longest_difference(&contact, &own) <= ROUNDING_MOVE * self.length();

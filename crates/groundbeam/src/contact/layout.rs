@@ -10,8 +10,9 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use std::ops::Range;
 
-/// Distance from the nearest point in contact, in units of 1/wave number. At a node of open ground within this
-/// distance, the unknown of the ground surface is the settlement relative to the beam.
+/// At a node out of contact, the unknown of the ground surface is the settlement relative to the beam if the
+/// distance of the node from the nearest point in contact, multiplied by the wave number of the beam, is at
+/// most this limit.
 const NARROW_GAP: f64 = 1e-2;
 
 /// Contact of the cells and nodes of a mesh.
@@ -156,8 +157,8 @@ impl Layout {
         nodes
     }
 
-    /// Distance of each node of a run of ground from the nearest point in contact. Between a point in contact
-    /// and a node close to it, the open ground is short and therefore very stiff.
+    /// Computes the distance of each node of a stretch of ground from the nearest point in contact. Between a
+    /// point in contact and a node close to it, the ground out of contact is short and therefore very stiff.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let mut distance = vec![f64::INFINITY; cells.len() + 1];
@@ -198,7 +199,8 @@ impl Layout {
         Some(OpenGround { two_port: cell_part(cell, -1.0, 1.0), ties })
     }
 
-    /// Returns the cells of the linear system for this contact: each element with the open ground under it.
+    /// Returns the cells of the linear system for this contact: each element, with the shear layer under it
+    /// where the beam is out of contact.
     pub fn cells(&self, mesh: &Mesh, elements: impl Iterator<Item = Element>) -> Vec<ChainCell> {
         let cell = |(i, element)| ChainCell { element, open: self.open_ground(mesh, i) };
         elements.enumerate().map(cell).collect()

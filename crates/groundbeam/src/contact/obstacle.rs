@@ -115,8 +115,9 @@ impl Scan<'_> {
         dropped
     }
 
-    /// Computes the open span at the right end of the [`GroundRun`]. Shortens the last contact zone to the left end of
-    /// this span, and removes last zones that would be in tension.
+    /// Computes the span out of contact at the right end of the [`GroundRun`], and ends the last contact zone of
+    /// `stack` at the left end of this span. If this zone is then a single point without a compressive force, removes
+    /// the zone, extends the span and treats the previous zone in the same way.
     fn close(&self, stack: &mut Vec<KeptZone>) {
         let end = self.run.cells.end;
         let Some(last) = stack.last() else { return };

@@ -122,9 +122,9 @@ fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// Computes the forces on the ground at both ends of a span of open ground, whose ends touch the beam. `link` is the
-/// force–displacement relation of the span. If an entry of `ends` is `None`, the span includes the ground beyond this
-/// end of the `GroundRun`.
+/// Computes the forces on the ground at both ends of a span of ground out of contact. Each end is an edge of a
+/// contact zone. `link` is the force–displacement relation of the span. If an entry of `ends` is `None`, the span
+/// instead includes the ground beyond this end of the `GroundRun`.
 pub(crate) fn fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -156,9 +156,9 @@ pub(crate) fn bonded_fluxes<R: Real>(
     }
 }
 
-/// Returns the end of a span as a point of the adjacent cell inside the span, if the concentrated force at this end
-/// causes a kink of the beam. Otherwise returns the unchanged point. At every other kink, the forces of [`end_forces`]
-/// already contain the point force.
+/// If the concentrated force at an end of a span causes a kink of the beam, returns this end as a point of the
+/// adjacent cell inside the span. Otherwise, returns `point` unchanged. If the obstacle has a corner at the end, the
+/// forces of [`end_forces`] already contain the point force of this corner.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
