@@ -2,6 +2,7 @@
 
 use crate::frame::Span;
 use crate::scalar::Scalar;
+use crate::size::Size;
 
 /// Displacement u of the ground on an open piece of length h with the end values u_L and u_R. The distance x is
 /// measured from the left end. With b = √(k/μ) and z = bh,
@@ -38,14 +39,7 @@ impl<C: Scalar> Arc<C> {
     /// piece.
     pub fn least(&self) -> f64 {
         let lows = self.ends.map(|u| u.low());
-        let least = if lows[0] <= lows[1] { lows[0] } else { lows[1] };
-        if least >= 0.0 {
-            0.0
-        } else if least < 0.0 {
-            least
-        } else {
-            -f64::INFINITY
-        }
+        -Size::below_zero(if lows[0] <= lows[1] { lows[0] } else { lows[1] }).value()
     }
 
     /// Returns the larger of the absolute values of the ground displacement u at the two ends of the piece.

@@ -343,9 +343,10 @@ mod tests {
     use super::Balance;
     use crate::cuts::fewest_cuts;
     use crate::fields::Fields;
-    use crate::given_claim::with_fields;
+    use crate::given_claim::{balanced, with_fields};
     use crate::scalar::Scalar;
     use crate::size::Size;
+    use crate::wide::Wide;
     use serde_json::json;
 
     /// The claimed pressure x − 0.1 balances the load, but it is tensile for x < 0.1. The proof sets the tensile
@@ -375,6 +376,26 @@ mod tests {
             assert!(
                 balanced.factors.iter().all(|factor| 0.002 < factor.size() && factor.size() < 0.2)
             );
+        });
+    }
+
+    /// The factor is the solution of the system at the cuts, and linear between them: ⅔·⅓ + ⅓·⅐ at a third of the cell.
+    #[test]
+    fn the_factor_is_exact_at_the_cuts_and_linear_between_them() {
+        let text = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\n";
+        let piece = |x: [f64; 2]| json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": true, "deflection": [1]});
+        let document = json!({"pieces": [piece([0.0, 0.5]), piece([0.5, 1.5])]});
+        with_fields(text, &document, |fields| {
+            let Fields { frame, surface, pressures, residual, .. } = fields;
+            let cuts = vec![0, 2];
+            let balance = Balance { frame, surface, pressures, residual, cuts, carrier: 0.0 };
+            let mut balanced = balanced(2);
+            let ends = [3.0, 7.0].map(|n| Wide::one().div(Wide::of(n)));
+            balance.give_back(&balance.cell(0), ends, &mut balanced);
+            let [left, between, right] = balanced.factors[..] else { panic!("three nodes") };
+            assert_eq!([left, right], ends);
+            let exact = Wide::of(17.0).div(Wide::of(63.0));
+            assert!((between - exact).size() < 1e-29, "{between:?}");
         });
     }
 }

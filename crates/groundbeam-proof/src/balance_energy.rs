@@ -56,7 +56,7 @@ impl<S: Scalar> Balance<'_, S> {
     fn ground_at_nodes(&self, balanced: &Balanced<S>, missed: Size) -> Size {
         let of = |node: usize| {
             let force = Size::of(self.surface.nodes[node].force.size());
-            if !self.surface.touches[node] || force.value() == 0.0 {
+            if force.value() == 0.0 {
                 return Size::ZERO;
             }
             let factor = Size::of(balanced.factors[node].size());

@@ -88,10 +88,11 @@ impl Scalar for Ball {
         if !(least > 0.0) {
             return Ball::ALL;
         }
-        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b.
+        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b. `size` exceeds the residual by at
+        // least 12 units of rounding, which covers the rounding errors of the last line.
         let q = self.m / other.m;
         let rest = self - Ball::new(q, 0.0) * other;
-        Ball::new(q, (rest.size() / least) * ABOVE + f64::MIN_POSITIVE)
+        Ball::new(q, rest.size() / least + f64::MIN_POSITIVE)
     }
 
     fn sqrt(self) -> Self {
@@ -101,11 +102,12 @@ impl Scalar for Ball {
         if !(self.low() >= 0.0) || !(self.m > 0.0) {
             return Ball::ALL;
         }
-        // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0.
+        // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0. `size` exceeds the
+        // residual by at least 12 units of rounding, and the residual of at least εq² keeps the quotient from underflow.
         let q = self.m.sqrt();
         let root = Ball::new(q, 0.0);
         let rest = self - root * root;
-        Ball::new(q, (rest.size() / q) * ABOVE + f64::MIN_POSITIVE)
+        Ball::new(q, rest.size() / q)
     }
 
     fn expm1(self) -> Self {

@@ -379,8 +379,7 @@ impl<S: Scalar> Frame<S> {
     /// Returns the largest penetration that is neglected: 10⁻²⁴ times the largest |w| at the middles of the pieces.
     pub fn negligible(&self) -> Size {
         let sizes = self.spans.iter().map(|span| span.deflection.coefficient(0).size());
-        let largest = sizes.fold(0.0, |most, size| if size > most { size } else { most });
-        Size::of(1e-24 * largest)
+        Size::of(1e-24 * sizes.fold(0.0, f64::max))
     }
 
     /// Whether the ground on the left and on the right of a node has a shear layer.

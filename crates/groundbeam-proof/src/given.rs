@@ -292,7 +292,7 @@ fn lifts<S: Scalar>(load: &Load<S>) -> bool {
         Extent::Point { size, .. } => [size; 2],
         Extent::Distributed { start, end, .. } => [start, end],
     };
-    load.on_ground && sizes.iter().any(|size| *size != S::zero() && !(size.low() > 0.0))
+    load.on_ground && sizes.iter().any(|size| !(size.low() >= 0.0))
 }
 
 fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {

@@ -70,8 +70,7 @@ pub(crate) fn supports<S: Scalar>(
         if moment != S::zero() && matches!(support.kind, SupportKind::Pinned) {
             return Err(NotProven::new("a pin has a moment").at(frame.place(node)));
         }
-        let is_wrong = !(support.acts.towards(force).low() > 0.0);
-        if support.acts != Acts::Both && force != S::zero() && is_wrong {
+        if support.acts != Acts::Both && !(support.acts.towards(force).low() >= 0.0) {
             let what = "a one-way support has a reaction in the wrong direction";
             return Err(NotProven::new(what).at(frame.place(node)));
         }

@@ -57,8 +57,13 @@ impl Json {
 
 /// Reads a whole document.
 pub(crate) fn read(text: &str) -> Result<Json, JsonError> {
-    let mut reader = Reader { text, at: 0, values: 0 };
-    reader.document().map_err(|what| {
+    read_within([LONGEST, MOST], text)
+}
+
+/// Reads a whole document with at most the given numbers of bytes and values.
+fn read_within([longest, most]: [usize; 2], text: &str) -> Result<Json, JsonError> {
+    let mut reader = Reader { text, at: 0, values: 0, most };
+    reader.document(longest).map_err(|what| {
         let mut at = reader.at.min(text.len());
         while !text.is_char_boundary(at) {
             at -= 1;
@@ -77,11 +82,13 @@ struct Reader<'t> {
     text: &'t str,
     at: usize,
     values: usize,
+    /// Maximum number of values.
+    most: usize,
 }
 
 impl Reader<'_> {
-    fn document(&mut self) -> Result<Json, Fault> {
-        if self.text.len() > LONGEST {
+    fn document(&mut self, longest: usize) -> Result<Json, Fault> {
+        if self.text.len() > longest {
             return Err("the document is longer than 64 MB");
         }
         let value = self.value(0)?;
@@ -114,7 +121,7 @@ impl Reader<'_> {
     fn value(&mut self, depth: usize) -> Result<Json, Fault> {
         self.skip_spaces();
         self.values += 1;
-        if self.values > MOST {
+        if self.values > self.most {
             return Err("the document has more than 10 million values");
         }
         match self.peek() {
@@ -333,5 +340,39 @@ mod tests {
         assert!(read(&"[".repeat(1_000_000)).is_err());
         let error = read("{\"a\": 1,\n \"a\": 2}").unwrap_err();
         assert_eq!((error.line, error.column), (2, 2));
+    }
+
+    #[test]
+    fn every_escape_has_its_character() {
+        let text = r#""a b\"\\\/\b\f\n\r\t\u00e9\u0000""#;
+        let exact = "a b\"\\/\u{8}\u{c}\n\r\té\0";
+        assert_eq!(read(text), Ok(Json::Text(exact.to_owned())));
+        for wrong in [r#""\u+123""#, r#""\u 123""#, r#""\u12""#, r#""\u123é""#, r#""\v""#, r#""\"#]
+        {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+        // The fault is inside the two bytes of the character after the backslash, and counts as before them.
+        let error = read("[1,\n\"\\é\"]").unwrap_err();
+        assert_eq!((error.line, error.column), (2, 3));
+        assert_eq!(error.to_string(), "line 2, column 3: this escape is not known");
+        let whole = JsonError { line: 0, column: 0, what: "wrong".to_owned() };
+        assert_eq!(whole.to_string(), "wrong");
+    }
+
+    /// The text has 18 bytes and five values: two containers and three others.
+    #[test]
+    fn bytes_and_values_are_limited() {
+        let text = r#"[1, null, {"a":2}]"#;
+        for (limits, right) in [
+            ([18, 5], true),
+            ([17, 5], false),
+            ([19, 5], true),
+            ([18, 4], false),
+            ([18, 6], true),
+            ([5, 5], false),
+            ([18, 1], false),
+        ] {
+            assert_eq!(read_within(limits, text).is_ok(), right, "{limits:?}");
+        }
     }
 }

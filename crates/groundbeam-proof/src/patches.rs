@@ -39,8 +39,8 @@ pub(crate) fn field_named(name: &str) -> Option<usize> {
 /// remainder of the Taylor series is large and nothing is proven.
 const MOST: usize = 2000;
 const MOST_OF_ALL: usize = 20_000;
-/// Maximum half-length of a stretch out of contact, in decay lengths √(μ/k).
-const LONGEST: f64 = 2.0;
+/// Maximum length of a stretch out of contact, in decay lengths √(μ/k).
+const LONGEST: f64 = 4.0;
 /// Number of coefficients of the Taylor polynomial of the settlement out of contact.
 const TERMS: usize = 26;
 
@@ -99,9 +99,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         return vec![patch(fields, i, 0.0, [from, to], own)];
     }
     let surface = Surface::of(span, span.above_free_ends(ends));
-    let count = (surface.decay.high() * (to - from) / (2.0 * LONGEST)).ceil();
-    let most = (MOST_OF_ALL / fields.frame.spans.len()).clamp(1, MOST) as f64;
-    let count = if (1.0..=most).contains(&count) { count } else { most };
+    let count = stretches(surface.decay.high() * (to - from), fields.frame.spans.len());
     let last = count as usize - 1;
     let end = |n: usize| from + (to - from) * (n as f64 / count);
     let on_stretch = |n: usize| {
@@ -115,6 +113,14 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         patch(fields, i, middle, interval, &own)
     };
     (0..=last).map(on_stretch).collect()
+}
+
+/// Returns the number of stretches of a piece out of contact. `length` is its length in decay lengths, and `pieces` is the
+/// number of all pieces.
+fn stretches(length: f64, pieces: usize) -> f64 {
+    let count = (length / LONGEST).ceil();
+    let most = (MOST_OF_ALL / pieces).clamp(1, MOST) as f64;
+    if (1.0..=most).contains(&count) { count } else { most }
 }
 
 /// Returns all fields on a stretch as polynomials of s = t − `middle`. `own` is the polynomial of the settlement.
@@ -226,7 +232,7 @@ mod tests {
                 is_zero("right end", at(1.0) - ends[1], 1e-27);
                 let middle = 5.0 / (2.0 * (0.5 * b).cosh());
                 assert!((at(0.0).middle() / middle - 1.0).abs() < 1e-14, "{b}");
-                let r = if b > 4.0 { 2.0 * LONGEST / b } else { 1.0 };
+                let r = if b > 4.0 { LONGEST / b } else { 1.0 };
                 let rest = (1..=TERMS).fold(3.0, |rest, n| rest * 0.5 * b * r / n as f64);
                 for m in [-1.0 + r, 1.0 - r, 0.3 * (1.0 - r)] {
                     let near = surface.taylor(m, r);
@@ -236,6 +242,26 @@ mod tests {
                     }
                 }
             });
+        }
+    }
+
+    /// A stretch has at most four decay lengths. The number of stretches is limited on a piece and on the whole beam.
+    #[test]
+    fn a_piece_has_as_many_stretches_as_its_decay_needs() {
+        for (length, pieces, count) in [
+            (0.1, 1, 1.0),
+            (4.0, 1, 1.0),
+            (4.1, 1, 2.0),
+            (18.0, 1, 5.0),
+            (8000.0, 10, 2000.0),
+            (8001.0, 10, 2000.0),
+            (8000.0, 16, 1250.0),
+            (1e9, 16, 1250.0),
+            (1e9, 20_000, 1.0),
+            (1e9, 50_000, 1.0),
+            (f64::NAN, 16, 1250.0),
+        ] {
+            assert_eq!(stretches(length, pieces), count, "{length} {pieces}");
         }
     }
 

@@ -33,3 +33,14 @@ impl fmt::Display for NotProven {
 }
 
 impl std::error::Error for NotProven {}
+
+#[cfg(test)]
+mod tests {
+    use super::NotProven;
+
+    #[test]
+    fn a_reason_is_written_with_its_position() {
+        assert_eq!(NotProven::new("a reason").to_string(), "a reason");
+        assert_eq!(NotProven::new("a reason").at(2.5).to_string(), "a reason (at 2.5)");
+    }
+}

@@ -1,7 +1,8 @@
 //! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for enclosures, which make the proof a theorem.
 
 use crate::decimal::Decimal;
-use crate::float::{ABOVE, HUGE, scale};
+use crate::float::{HUGE, scale};
+use crate::size::Size;
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -116,11 +117,12 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
         coefficient *= f64::from(j + 1);
         sum = sum * y + S::of(coefficient);
     }
-    let mut rest = 2.0 * size / f64::from(terms + 1);
+    let size = Size::of(size);
+    let mut rest = (2.0 * size).over(f64::from(terms + 1));
     for _ in 0..terms {
-        rest = rest * size * ABOVE + f64::MIN_POSITIVE;
+        rest = rest * size;
     }
-    let mut e = (y * sum).div(S::of(coefficient)).widened(rest / coefficient * ABOVE);
+    let mut e = (y * sum).div(S::of(coefficient)).widened(rest.over(coefficient).value());
     for _ in 0..halvings {
         // For e = exp(x) − 1, both (e + 1)² − 1 and e(e + 2) are exp(2x) − 1. The first formula has a small radius
         // near e = −1, and the second has a small relative error near e = 0.

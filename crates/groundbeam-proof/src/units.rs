@@ -99,3 +99,48 @@ fn larger(most: &mut Option<i32>, exponent: Option<i32>) {
             Some(most.map_or(exponent, |most: i32| if most >= exponent { most } else { exponent }));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Units;
+    use crate::float::power_of_two;
+    use crate::read::read_model;
+    use crate::wide::Wide;
+
+    /// Every load and every settlement counts as a force: M₀/l, ql, m, EIκ₀/l, κδ and EIδ/l². The model has the length 1.5,
+    /// which counts as 1, and EI = 4. All lengths are multiplied by 2ᵃ and all forces by 2ᵇ.
+    #[test]
+    fn the_units_follow_the_lengths_and_the_largest_load() {
+        // The table of the load or support, the exponents of force and length in the unit of its number, and the exponent
+        // of its force.
+        let tables = [
+            ("", [0, 0], 2),
+            ("[[load]]\nat = 0\npoint = ", [1, 0], 1),
+            ("[[load]]\nat = 0\nmoment = ", [1, 1], 1),
+            ("[[load]]\ndistributed = ", [1, -1], 1),
+            ("[[load]]\ndistributed_moment = ", [1, 0], 1),
+            ("[[load]]\ncurvature = ", [0, -1], 3),
+            ("[[support]]\nat = 0\ntype = 'pinned'\nsettlement = ", [0, 1], 3),
+            ("[[support]]\nat = 0\ntype = 'fixed'\nsettlement = ", [0, 1], 3),
+            ("[[support]]\nat = 0\nspring = SPRING\nsettlement = ", [0, 1], 4),
+        ];
+        for [a, b] in [[0, 0], [5, 0], [0, 5], [-9, 4], [12, -30]] {
+            let scaled = |x: f64, [force, length]: [i32; 2]| {
+                format!("{:?}", x * power_of_two(force * b + length * a))
+            };
+            for (table, unit, exponent) in tables {
+                let beam = format!(
+                    "[beam]\nlength = {}\nEI = {}\n[foundation]\nk = 1\n",
+                    scaled(1.5, [0, 1]),
+                    scaled(4.0, [1, 2])
+                );
+                let number = if table.is_empty() { String::new() } else { scaled(3.0, unit) };
+                let spring = scaled(7.0, [1, -1]);
+                let text = beam + &table.replace("SPRING", &spring) + &number;
+                let model = read_model::<Wide>(&text, None).expect("a model");
+                let found = Units::of(&model).expect("units");
+                assert_eq!(found, Units { length: a, force: b + exponent }, "{text}");
+            }
+        }
+    }
+}

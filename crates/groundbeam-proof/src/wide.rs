@@ -146,13 +146,14 @@ impl Scalar for Wide {
             return Wide::ALL;
         }
         // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the error is at most a bound of
-        // the residual a − qb, divided by a lower bound of |b|.
+        // the residual a − qb, divided by a lower bound of |b|. `size` exceeds the residual by at least 12 units of
+        // rounding, which covers the rounding error of this division.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);
         let q = Wide::new(h, l, 0.0);
         let rest = self - q * other;
-        q.widened((rest.size() / least) * ABOVE + f64::MIN_POSITIVE)
+        q.widened(rest.size() / least + f64::MIN_POSITIVE)
     }
 
     fn sqrt(self) -> Self {
@@ -162,7 +163,8 @@ impl Scalar for Wide {
         if !(self.low() >= 0.0) || !(self.h > 0.0) {
             return Wide::ALL;
         }
-        // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0.
+        // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0. The
+        // residual contains a multiple of q², so the quotient of the last line does not underflow.
         let first = self.h.sqrt();
         let rest = self.centre() - Wide::of(first).square();
         let (h, l) = fast_two_sum(first, rest.h / (2.0 * first));
@@ -172,7 +174,7 @@ impl Scalar for Wide {
             return Wide::ALL;
         }
         let rest = self - q * q;
-        q.widened((rest.size() / least) * ABOVE + f64::MIN_POSITIVE)
+        q.widened(rest.size() / least)
     }
 
     fn expm1(self) -> Self {

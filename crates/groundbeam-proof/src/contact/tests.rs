@@ -195,3 +195,39 @@ fn a_concentrated_force_is_positive_only_if_proven() {
         }
     });
 }
+
+/// The flux of the open ground beside the beam is √(kμ) = 1 times its settlement, so its error is that of the settlement of
+/// the piece at this end. A node inside the layer has the error of the flux on both sides, and one beside Winkler ground on
+/// the side of the layer only.
+#[test]
+fn the_error_of_the_flux_beside_the_beam_is_that_of_the_settlement_at_its_end() {
+    let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\
+        [[foundation.segment]]\nfrom = 0.25\nto = 0.5\nk = 1\nmu = 0\n";
+    let piece = |i: usize| {
+        let from = 0.25 * i as f64;
+        json!({"x": [from, from + 0.25], "half": 0.125, "touches": true, "deflection": [1]})
+    };
+    let pieces: Vec<_> = (0..4).map(piece).collect();
+    with_fields(text, &json!({ "pieces": pieces }), |fields| {
+        let bounds = [1, 2, 3, 4].map(|i| PieceBounds {
+            settlement: Size::of(f64::from(i)),
+            slope: Size::of(10.0 * f64::from(i)),
+            ..PieceBounds::EXACT
+        });
+        let force = fields.frame.units.scaled(Wide::one(), 1, 0).middle();
+        let contact = Contact { fields, bounds: &bounds };
+        for (node, [left, right]) in [
+            (0, [1.0, 10.0]),
+            (1, [10.0, 0.0]),
+            (2, [0.0, 30.0]),
+            (3, [30.0, 40.0]),
+            (4, [40.0, 4.0]),
+        ] {
+            for (side, exact) in [left, right].into_iter().enumerate() {
+                let found = contact.tolerance_beside(node, side, &[[None; 2]; 5]).value();
+                let off = (found - exact * force).abs();
+                assert!(off <= 1e-12 * force, "{node} {side}: {found} {exact}");
+            }
+        }
+    });
+}

@@ -12,7 +12,6 @@ pub(crate) fn values<S: Scalar>(course: &Course<S>) -> &[S] {
 
 fn of<S: Scalar>(values: Vec<S>) -> Course<S> {
     match values[..] {
-        [] => Course::Constant(S::zero()),
         [value] => Course::Constant(value),
         _ => Course::Varying(values),
     }

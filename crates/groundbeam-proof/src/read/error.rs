@@ -115,4 +115,23 @@ mod tests {
         };
         assert_eq!([at(0), at(3), at(5), at(7), at(99)], [(1, 1), (1, 1), (1, 2), (2, 1), (2, 2)]);
     }
+
+    #[test]
+    fn every_reason_is_written_with_its_location() {
+        for (reason, text) in [
+            (Reason::TooLarge, "the file is too large, or too deeply nested"),
+            (Reason::Syntax("write key = value"), "write key = value"),
+            (Reason::Twice("a".into()), "`a` is given twice"),
+            (Reason::Unknown("a".into()), "`a` is not a key of this table"),
+            (Reason::Missing("a"), "`a` is missing"),
+            (Reason::Together("a", "b"), "`a` and `b` exclude each other"),
+            (Reason::Value("a is wrong".into()), "a is wrong"),
+            (Reason::OutOfRange("a is large".into()), "a is large"),
+            (Reason::NotRead("a"), "the second reader does not support `a`"),
+            (Reason::NoCombination("a".into()), "the file has no combination `a`"),
+        ] {
+            let error = ReadError { line: 3, column: 7, reason };
+            assert_eq!(error.to_string(), format!("line 3, column 7: {text}"));
+        }
+    }
 }

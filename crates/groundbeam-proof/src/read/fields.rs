@@ -303,7 +303,7 @@ fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> 
     };
     let right = match kind.range {
         Range::Any => true,
-        Range::NotNegative => exact.is_zero() || value.low() > 0.0,
+        Range::NotNegative => value.low() >= 0.0,
         Range::Positive => value.low() > 0.0,
     };
     if !right {

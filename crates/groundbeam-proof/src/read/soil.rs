@@ -187,8 +187,8 @@ fn logarithm<S: Scalar>(x: S) -> Option<S> {
     let n = ((x.middle().to_bits() >> 52) & 0x7ff) as i32 - 1023;
     let fraction = x.scaled(-n);
     let off = |fraction: S, v: f64| fraction * (S::of(-v).expm1() + S::one()) - S::one();
-    let mut v = 0.7 * (fraction.middle() - 1.0);
-    for _ in 0..5 {
+    let mut v = 0.0;
+    for _ in 0..6 {
         v += off(fraction, v).middle();
     }
     let e = off(fraction, v);

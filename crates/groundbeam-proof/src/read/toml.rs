@@ -94,10 +94,15 @@ type Name = (String, usize);
 
 /// Reads a whole file.
 pub(crate) fn read(text: &str) -> Read<Table> {
-    if text.len() > LONGEST {
+    read_within([LONGEST, MOST], text)
+}
+
+/// Reads a whole file with at most the given numbers of bytes and values.
+fn read_within([longest, most]: [usize; 2], text: &str) -> Read<Table> {
+    if text.len() > longest {
         return fault(0, Reason::TooLarge);
     }
-    let mut reader = Reader { scanner: Scanner::new(text), values: 0 };
+    let mut reader = Reader { scanner: Scanner::new(text), values: 0, most };
     let mut root = Table::of(Origin::Heading);
     let mut path: Vec<Name> = Vec::new();
     loop {
@@ -198,13 +203,15 @@ fn begin_element(root: &mut Table, path: &[Name]) -> Read<()> {
 struct Reader<'t> {
     scanner: Scanner<'t>,
     values: usize,
+    /// Maximum number of values.
+    most: usize,
 }
 
 impl Reader<'_> {
     /// Counts one more value.
     fn count(&mut self, at: usize) -> Read<()> {
         self.values += 1;
-        if self.values > MOST { fault(at, Reason::TooLarge) } else { Ok(()) }
+        if self.values > self.most { fault(at, Reason::TooLarge) } else { Ok(()) }
     }
 
     /// Reads the names of a heading or of a dotted key, which are separated by points.
@@ -382,5 +389,24 @@ mod tests {
         assert_eq!(read(&deep).unwrap_err().reason, Reason::TooLarge);
         let dotted = format!("{}a = 1", "a.".repeat(1000));
         assert_eq!(read(&dotted).unwrap_err().reason, Reason::TooLarge);
+    }
+
+    /// The text has 26 bytes. It counts five values: a heading, a list with two numbers, and a number.
+    #[test]
+    fn bytes_and_values_are_limited() {
+        let text = "[a]\nb = [1, 2]\nc = 3 # end";
+        assert_eq!(text.len(), 26);
+        for (limits, right) in [
+            ([26, 5], true),
+            ([25, 5], false),
+            ([27, 5], true),
+            ([26, 4], false),
+            ([26, 6], true),
+            ([5, 5], false),
+            ([26, 1], false),
+        ] {
+            let found = read_within(limits, text).map(drop).map_err(|fault| fault.reason);
+            assert_eq!(found, if right { Ok(()) } else { Err(Reason::TooLarge) }, "{limits:?}");
+        }
     }
 }
