@@ -456,4 +456,16 @@ mod tests {
             assert_eq!(found.felt, [[0, 0], felt, [1, 1]], "{deflections:?}");
         }
     }
+
+    /// The correction of a piece bends if the piece is at least as long as (4EI/k)^¼.
+    #[test]
+    fn a_piece_bends_from_one_wave_length_on() {
+        for bending in [4.5, 6.0, 7.5, 30.0, 0.01] {
+            let wave = f64::powf(4.0 * bending, 0.25);
+            let pieces = [0.98, 1.02].map(|part| [part * wave, 1.0, 0.0]);
+            let found = corrected(&format!("EI = {bending:?}\n"), &pieces);
+            let bends = [0, 1].map(|i| found.pieces[i].bounds[2] > Size::ZERO);
+            assert_eq!(bends, [false, true], "{bending}");
+        }
+    }
 }

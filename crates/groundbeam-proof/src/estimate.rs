@@ -53,3 +53,73 @@ pub fn estimate(
         potential_energy: restored(energies.potential),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::read::read_model;
+    use crate::{Wide, prove};
+    use serde_json::{Value, json};
+
+    fn estimated(model: &str, document: &Value) -> Result<Estimate, NotProven> {
+        let model = read_model::<f64>(model, None).expect("a model");
+        estimate(&model, &Answer::from_json(&document.to_string()).expect("an answer"), None)
+    }
+
+    /// A beam at rest on springs, w = 1 under the load 1. The claim w = 1 + ε has the error energy ½k∫ε² = ε². E also bounds
+    /// the moments from the redistributed pressure. The strain energy is ½k∫(1 + ε)².
+    #[test]
+    fn the_estimate_of_a_shifted_beam_covers_its_error_energy() {
+        let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = 1\n";
+        for shift in [0.0, 1e-2, -1e-4, 1e-6] {
+            let piece =
+                json!({"x": [0, 2], "half": 1, "touches": true, "deflection": [1.0 + shift]});
+            let document = json!({"pieces": [piece]});
+            let found = estimated(model, &document).expect("an estimate");
+            let exact = shift * shift;
+            assert!((exact..=3.0 * exact).contains(&found.energy), "{shift}: {found:?}");
+            let answer = Answer::from_json(&document.to_string()).expect("an answer");
+            let model = read_model::<Wide>(model, None).expect("a model");
+            let proven = prove(&model, &answer).expect("bounds").energy;
+            assert!((found.energy - proven).abs() <= 1e-6 * exact + 1e-24, "{shift}: {proven}");
+            let strain = (1.0 + shift) * (1.0 + shift);
+            assert!((found.strain_energy / strain - 1.0).abs() < 1e-12, "{shift}: {found:?}");
+            let potential = strain - 2.0 * (1.0 + shift);
+            assert!((found.potential_energy / potential - 1.0).abs() < 1e-12, "{shift}: {found:?}");
+        }
+    }
+
+    /// A beam on one pin at its middle carries 3 and 3 + ε at its ends: w = (3s² − s³)/(2EI) at the distance s from the pin,
+    /// with the slope 3/(2EI) at the ends and the strain energy 3/EI. A transverse force ε/2 along the beam balances the
+    /// moment ε about the pin. Twice its work on the largest slopes is 3ε/EI, which must be at most 10⁻⁸ · 3/EI.
+    #[test]
+    fn a_beam_on_one_pin_may_be_unbalanced_by_rounding_error() {
+        for bending in [1.0, 4096.0, 1.0 / 4096.0] {
+            for (excess, right) in
+                [(1e-9, true), (5e-9, true), (0.99e-8, true), (1.01e-8, false), (1e-3, false)]
+            {
+                let model = format!(
+                    "[beam]\nlength = 2\nEI = {bending:?}\n[foundation]\nk = 1\n\
+                     [[gap]]\nat = 0\nvalue = 1e6\n[[support]]\nat = 1\ntype = 'pinned'\n\
+                     [[load]]\npoint = 3\nat = 0\n[[load]]\npoint = {:?}\nat = 2\n",
+                    3.0 + excess
+                );
+                let piece = |from: u32, sign: f64| {
+                    let w = [0.3125, -0.5625 * sign, 0.1875, 0.0625 * sign].map(|c| c / bending);
+                    json!({"x": [from, from + 1], "half": 0.5, "touches": false, "deflection": w})
+                };
+                let pieces = [piece(0, 1.0), piece(1, -1.0)];
+                let found =
+                    estimated(&model, &json!({"pieces": pieces, "reactions": [{"force": 6}]}));
+                let what = format!("{bending} {excess}: {found:?}");
+                match found {
+                    Ok(found) => {
+                        let ratio = found.energy / (3.0 * excess / bending);
+                        assert!(right && (ratio - 1.0).abs() < 1e-3, "{what}: {ratio}");
+                    }
+                    Err(why) => assert!(!right && why.what.contains("does not balance"), "{what}"),
+                }
+            }
+        }
+    }
+}

@@ -135,7 +135,9 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
 /// Upper bound of Σ size(cⱼ)τʲ. The sum is increased once at the end, to cover its rounding errors and underflows.
 fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64 {
     let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + size(*c));
-    if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
+    // The sum may be zero by underflow only.
+    let is_zero = sum == 0.0 && coefficients.iter().all(|c| size(*c) == 0.0);
+    if is_zero { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
 }
 
 impl<S: Scalar, const N: usize, const M: usize> Add<&Polynomial<S, M>> for Polynomial<S, N> {
@@ -310,7 +312,7 @@ pub(crate) fn half_width(a: f64, m: f64, b: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Budget, Polynomial, below};
+    use super::{Budget, Polynomial, below, raised};
     use crate::ball::Ball;
     use crate::random::numbers;
     use crate::scalar::Scalar;
@@ -381,6 +383,25 @@ mod tests {
                 assert!((1.0 - 1e-9..1.0 + 1e-9).contains(&depth), "{s}: {depth}");
                 assert!((1.0 - 1e-9..1.07).contains(&width), "{sign} {s}: {width}");
             }
+        }
+    }
+
+    /// Σ|cⱼ|τʲ is not rounded down among the smallest numbers: 2⁻¹⁰²⁰, half of 2⁻¹⁰⁷⁴, 1.75·2⁻¹⁰²¹ and 10⁻³⁴⁰.
+    #[test]
+    fn a_sum_of_the_smallest_numbers_is_rounded_up() {
+        let power = |n: i32| 2.0_f64.powi(500 + n) * 2.0_f64.powi(-500);
+        for (coefficients, tau, exact) in [
+            (&[power(-1020)][..], 1.0, power(-1020)),
+            (&[0.0, power(-1074)], 0.5, power(-1074)),
+            (&[power(-1021), power(-1021)], 0.75, 1.75 * power(-1021)),
+            (&[0.0, 0.0, 0.0, 1e-280], 1e-20, power(-1074)),
+            (&[0.0, 0.0], 1.0, 0.0),
+        ] {
+            let found = raised(coefficients, tau, |c| c);
+            assert!(
+                found >= exact && (found == 0.0) == (exact == 0.0),
+                "{coefficients:?}: {found:e}"
+            );
         }
     }
 }

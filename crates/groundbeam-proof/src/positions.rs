@@ -177,4 +177,29 @@ mod tests {
             assert_eq!(covers(ends), covered, "{ends:?}");
         }
     }
+
+    /// A beam with the length 1.5 and the first three nodes 0, `second` and `third`.
+    fn is_long_enough(second: f64, third: f64) -> bool {
+        let ends = [0.0, second, third, 1.5];
+        let piece = |x: &[f64]| Piece { x: [x[0], x[1]], ..Piece::default() };
+        let answer = Answer { pieces: ends.windows(2).map(piece).collect(), ..Answer::default() };
+        let units = Units { length: 0, force: 0 };
+        let positions = Positions::of(&answer, Wide::of(1.5), units).expect("positions");
+        positions.exact().is_ok()
+    }
+
+    /// The shortest piece has the length 10⁻²⁰ · 1.5.
+    #[test]
+    fn a_piece_has_a_least_length() {
+        for (second, third, long) in [
+            (1.6e-20, 1.0, true),
+            (1.4e-20, 1.0, false),
+            (0.8e-20, 1.0, false),
+            (2e-20, 3.6e-20, true),
+            (2e-20, 3.4e-20, false),
+            (2e-20, 2.5e-20, false),
+        ] {
+            assert_eq!(is_long_enough(second, third), long, "{second} {third}");
+        }
+    }
 }

@@ -290,3 +290,32 @@ fn is_stable<C: Scalar>(first: &Joint<C>, elements: &[Element<C>], load: C) -> O
     }
     left.is_positive().then_some(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::elements;
+    use crate::given_claim::with_fields;
+    use crate::scalar::Scalar;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// A beam with the length 1.5 and a pin at 0.375 is divided at the pin into equal elements, at least one on each side.
+    #[test]
+    fn elements_have_nearly_equal_lengths() {
+        let text = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\n[[support]]\nat = 0.375\ntype = 'pinned'\n";
+        let piece = |x: [f64; 2]| json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": true, "deflection": [0]});
+        let pieces = [piece([0.0, 0.375]), piece([0.375, 0.75]), piece([0.75, 1.5])];
+        with_fields(text, &json!({"pieces": pieces, "reactions": [{"force": 0}]}), |fields| {
+            for (count, [left, right]) in
+                [(16.0, [4, 12]), (10.0, [3, 8]), (4.0, [1, 3]), (1.0, [1, 1])]
+            {
+                let found = elements(fields.frame, count, &|x: Wide| x);
+                let joints: Vec<usize> =
+                    (0..found.len()).filter(|i| found[*i].end.is_some()).map(|i| i + 1).collect();
+                assert_eq!(joints, [left, left + right], "{count}");
+                let whole: f64 = found.iter().map(|element| element.length.middle()).sum();
+                assert!((whole - 1.5).abs() < 1e-12, "{count}: {whole}");
+            }
+        });
+    }
+}

@@ -182,3 +182,22 @@ fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
         }
     }
 }
+
+/// The beam penetrates the surface u = 0 by (1 ∓ t)²(2 ± t)/4, which falls from 1 at one end to 0 at the other. The bound of
+/// the depth on the whole piece is sharp, although that from one value in the middle is 2.
+#[test]
+fn the_depth_on_a_piece_is_found_by_halving() {
+    let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
+    for sign in [1.0, -1.0] {
+        let w = [0.5, -0.75 * sign, 0.0, 0.25 * sign];
+        let piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": w});
+        with_fields(text, &json!({"pieces": [piece]}), |fields| {
+            let span = &fields.frame.spans[0];
+            let open = OpenPiece::of(span, [Wide::zero(); 2], None, [Size::ZERO; 3]);
+            let mut budget = Budget::new(1);
+            budget.begin();
+            let depth = open.deepest(span.interval(), Size::ZERO, &mut budget).value();
+            assert!((1.0..1.3).contains(&depth), "{sign}: {depth}");
+        });
+    }
+}

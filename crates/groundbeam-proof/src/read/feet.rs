@@ -66,8 +66,23 @@ mod tests {
         for (text, inches) in cases {
             assert_eq!(super::inches(text).as_deref(), Some(inches), "{text}");
         }
-        for text in ["6.5 in", "12 ft", "3 1/3 in", "1/128 in", "' 6\"", "6 1/2 m", "12 m 6 in", ""]
-        {
+        for text in [
+            "6.5 in",
+            "12 ft",
+            "3 1/3 in",
+            "1/128 in",
+            "' 6\"",
+            "6 1/2 m",
+            "12 m 6 in",
+            "",
+            "4/4 in",
+            "6 2/2 in",
+            "3/2 in",
+            "+6 1/2 in",
+            "12'-+6\"",
+            "1234567890 1/2 in",
+            "1/+2 in",
+        ] {
             assert_eq!(super::inches(text), None, "{text}");
         }
     }

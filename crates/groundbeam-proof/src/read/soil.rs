@@ -245,4 +245,25 @@ mod tests {
             assert_eq!(super::longer(x), larger);
         }
     }
+
+    #[test]
+    fn the_ratio_of_poisson_of_a_soil_is_below_one_half() {
+        for (ratio, right) in
+            [("0", true), ("0.49", true), ("0.5", false), ("0.6", false), ("-0.1", false)]
+        {
+            let soils = [
+                format!("method = 'biot'\nE = 1\nnu = {ratio}\n"),
+                format!(
+                    "method = 'vlasov'\ngamma = 1\nlayer = [{{ thickness = 1, E = 1, nu = {ratio} }}]\n"
+                ),
+            ];
+            for soil in soils {
+                let text = format!(
+                    "[beam]\nlength = 2\nEI = 3\n[foundation]\nwidth = 1\n[foundation.soil]\n{soil}"
+                );
+                let found = crate::read::read_model::<Wide>(&text, None);
+                assert_eq!(found.is_ok(), right, "{soil}: {found:?}");
+            }
+        }
+    }
 }

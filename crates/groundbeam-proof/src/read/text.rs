@@ -223,6 +223,10 @@ mod tests {
             ("\"\"", ""),
             ("''''''", ""),
             ("\"°\"", "°"),
+            ("\"\"\"\r\nab\"\"\"", "ab"),
+            ("\"\"\"\n\r\nab\"\"\"", "\nab"),
+            ("\"\"\"\n\nab\"\"\"", "\nab"),
+            ("'''\r\n\r\nab'''", "\nab"),
         ];
         for (text, expected) in cases {
             assert_eq!(string(text).as_deref(), Some(expected), "{text}");
@@ -241,6 +245,25 @@ mod tests {
             "\"\\u00\u{b5}\u{b5}\"",
         ] {
             assert_eq!(string(text), None, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_comment_has_no_control_characters() {
+        let control = Reason::Syntax("a control character is not allowed");
+        for (text, right) in [
+            ("# a\n", true),
+            ("# a\r\n", true),
+            ("# a\tb\r\n", true),
+            ("# a", true),
+            ("# a\rb\n", false),
+            ("# a\r", false),
+            ("# a\u{1}\n", false),
+        ] {
+            for skip in [Scanner::skip_lines, Scanner::end_of_line] {
+                let found = skip(&mut Scanner::new(text)).map_err(|fault| fault.reason);
+                assert_eq!(found, if right { Ok(()) } else { Err(control.clone()) }, "{text:?}");
+            }
         }
     }
 }
