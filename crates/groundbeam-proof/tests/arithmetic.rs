@@ -258,3 +258,29 @@ fn decimals_are_read_exactly() {
         assert!(Wide::decimal(wrong).is_none(), "{wrong}");
     }
 }
+
+/// The relative width of a root is a few units of rounding: 2⁻⁵³ of a ball, 2⁻¹⁰⁶ of a wide ball.
+#[test]
+fn roots_have_narrow_bounds() {
+    let mut numbers = Random::new(7);
+    for _ in 0..1000 {
+        let x = (1.0 + numbers.unit()) * 2.0_f64.powi(numbers.below(800) as i32 - 400);
+        let (ball, wide) = (Ball::of(x).sqrt(), Wide::of(x).sqrt());
+        assert!(ball.radius() <= 1e-15 * ball.middle(), "{x:e}: {ball:?}");
+        assert!(wide.radius() <= 1e-30 * wide.middle(), "{x:e}: {wide:?}");
+    }
+}
+
+/// A midpoint whose second half becomes subnormal gets a radius of at most a few units of the smallest normal number.
+#[test]
+fn scaling_to_the_smallest_numbers_has_narrow_bounds() {
+    let x = Wide::of(1.0) + Wide::of(2.0_f64.powi(-100));
+    for exponent in [-900, -940, -960] {
+        let scaled = x.scaled(exponent);
+        check_bounds(scaled);
+        assert!(scaled.radius() <= 1e-280, "{exponent}: {scaled:?}");
+        let [low, high] = x.ends().expect("finite").map(|end| end.times_power_of_two(exponent));
+        let ends = scaled.ends().expect("finite");
+        assert!(ends[0] <= low && high <= ends[1], "{exponent}: {scaled:?}");
+    }
+}

@@ -180,3 +180,26 @@ fn the_pressure_of_a_layer_has_no_bound_without_a_contact_set() {
     // p* = 1, and the answer has p = 0 on the open piece.
     assert_eq!(found.proof.bounds.pressure.error, f64::INFINITY);
 }
+
+/// On springs p = kw has the bound kε of the deflection, also if the contact set is not proven. Where a part of the ground
+/// is a layer, there is none.
+#[test]
+fn the_pressure_of_springs_has_a_bound_without_a_contact_set() {
+    let springs = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = 1\n";
+    let mixed = format!(
+        "{springs}[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 1\n[foundation.left]\nends = 0\nas = 'free'\n"
+    );
+    let document = r#"{"pieces": [
+        {"x": [0, 1], "half": 0.5, "touches": true, "deflection": [1]},
+        {"x": [1, 1.015625], "half": 0.0078125, "touches": false, "deflection": [1]},
+        {"x": [1.015625, 2], "half": 0.4921875, "touches": true, "deflection": [1]}
+    ]}"#;
+    for (model, bounded) in [(springs, true), (&mixed, false)] {
+        let found = verified(model, document);
+        assert!(found.proof.contact.is_err(), "{model}");
+        assert_eq!(found.proof.bounds.pressure.error.is_finite(), bounded, "{model}");
+        // p* = 1, and the answer has p = 0 on the open piece.
+        assert!(found.proof.bounds.pressure.error >= 1.0, "{model}");
+        assert_eq!(found.error_at("pressure", 1.5).is_finite(), bounded, "{model}");
+    }
+}

@@ -1,7 +1,9 @@
 //! Tests supports in closed form: one-way supports without a reaction, and hinges at supports that restrain the slope.
 
 use crate::one_document::{document, verified};
-use groundbeam_proof::{Acts, Scalar, Support, SupportKind, Wide, read_model, verify};
+use groundbeam_proof::{
+    Acts, Log, Scalar, Support, SupportKind, Wide, read_model, verify, verify_and_log,
+};
 use serde_json::{Value, json};
 
 /// A beam above a gap of 100 on pins at 0 and 2.
@@ -59,4 +61,23 @@ fn a_hinge_at_a_support_that_restrains_the_slope_is_refused() {
             Err(why) => assert!(restrains && why.what.contains("restrains the slope"), "{why}"),
         }
     }
+}
+
+/// The log names the directions of each support: 0 for both, 1 for up, −1 for down.
+#[test]
+fn the_log_has_the_directions_of_the_supports() {
+    let model = format!(
+        "{BEAM}[[load]]\npoint = 6\nat = 1\n\
+         [[support]]\nat = 0.5\ntype = 'pinned'\nacts = 'up'\nsettlement = 1\n\
+         [[support]]\nat = 0.5\ntype = 'pinned'\nacts = 'down'\nsettlement = 0.5\n"
+    );
+    let model = model.replacen("at = 0.5", "at = 1.5", 1);
+    let model = read_model::<Wide>(&model, None).expect("a model");
+    let document = document(&symmetric([0.6875, 0.5625, -0.1875, -0.0625], 3.0).to_string());
+    let mut log = Log::new();
+    verify_and_log(&model, &document, Some(&mut log)).expect("bounds");
+    let lines = log.text().lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
+    let acts: Vec<Value> =
+        lines.filter(|line| line["name"] == "support").map(|line| line["acts"].clone()).collect();
+    assert_eq!(json!(acts), json!([0, 0, 1, -1]));
 }

@@ -231,6 +231,20 @@ fn the_bound_of_a_wrong_value_at_a_jump_or_of_an_extreme_is_its_error() {
     assert!((verified(OVER_A_GAP, &doubled).error_of("rotation") - 10.0).abs() < 1e-9);
 }
 
+/// The coordinate t of the first piece runs from −4/5 to 4/5, that of the second piece from −1 to 1. The values on the left
+/// of the hinge are those at t = 4/5.
+#[test]
+fn the_values_on_the_left_of_a_node_are_those_of_the_left_piece() {
+    let mut document = over_a_gap();
+    document["pieces"][0]["half"] = json!(0.625);
+    document["pieces"][0]["deflection"] = json!([1.25, 2.8125, 1.171875, -0.48828125]);
+    let found = verified(OVER_A_GAP, &document);
+    assert_eq!(found.shortfall, None);
+    for field in ["slope", "rotation", "shear_force", "moment", "deflection", "gap"] {
+        assert!(found.error_of(field) < 1e-9, "{field}: {:e}", found.error_of(field));
+    }
+}
+
 /// An extreme whose value stands at another place: at x = 0.5 the deflection is 2.75 below the largest one.
 #[test]
 fn an_extreme_at_a_wrong_place_is_not_proven() {

@@ -545,3 +545,245 @@ fn a_quantity_has_one_source_and_its_own_unit() {
     assert_eq!(bending("0").expect("a model"), Some(1.5));
     assert!(bending("0.6").is_err() && bending("-0.1").is_err());
 }
+
+/// A beam of two metres with `keys`, segments and more tables.
+fn rest_of(beam: &str, tables: &str) -> Result<Model<Wide>, ReadError> {
+    read(&format!("[beam]\nlength = '2 m'\n{beam}[foundation]\nk = '1 MPa'\n{tables}"))
+}
+
+/// The size of the first load at its left end.
+fn first_load(beam: &str, tables: &str) -> Result<f64, Reason> {
+    rest_of(beam, tables).map(|model| size(&model.loads[0])).map_err(|error| error.reason)
+}
+
+const WIDE: &str = "E = '30 GPa'\nsection = { width = '1 m', height = '0.5 m' }\n";
+
+fn beam_segment(from: &str, to: &str, keys: &str) -> String {
+    format!("[[beam.segment]]\nfrom = '{from} m'\nto = '{to} m'\n{keys}\n")
+}
+
+/// EI or I of a segment says nothing about its area, so the self-weight γbh is not known. A segment with another E has the
+/// section of the beam.
+#[test]
+fn a_segment_with_its_own_stiffness_has_no_known_area_and_depth() {
+    for (keys, weights) in [
+        ("E = '20 GPa'", Some(vec![12.5e3, 12.5e3])),
+        ("section = { width = '1 m', height = '1 m' }", Some(vec![25e3, 12.5e3])),
+        ("EI = '1 MN m^2'", None),
+        ("I = '1 m^4'", None),
+    ] {
+        let beam = format!("{WIDE}unit_weight = '25 kN/m^3'\n{}", beam_segment("0", "1", keys));
+        let found =
+            rest_of(&beam, "").map(|model| model.loads.iter().map(size).collect::<Vec<_>>());
+        assert_eq!(found.as_ref().ok(), weights.as_ref(), "{keys}: {found:?}");
+        // The curvature of the temperature difference αΔT/h needs the depth.
+        let load =
+            "[[load]]\ntemperature_difference = '10 K'\nexpansion = '1e-5 1/K'\nto = '1 m'\n";
+        let beam = format!("{WIDE}{}", beam_segment("0", "1", keys));
+        let depth = if keys.contains("height") { 1.0 } else { 0.5 };
+        let exact =
+            if weights.is_some() { Ok(1e-4 / depth) } else { Err(Reason::Missing("depth")) };
+        assert_eq!(first_load(&beam, load), exact, "{keys}");
+    }
+}
+
+/// A temperature load along stretches with equal depths has the curvature αΔT/h; along different depths it needs `depth`.
+#[test]
+fn stretches_with_equal_depths_count_as_one() {
+    let section = |height: &str| format!("section = {{ width = '1 m', height = '{height}' }}");
+    let load = |from: &str, to: &str| {
+        format!(
+            "[[load]]\ntemperature_difference = '10 K'\nexpansion = '1e-5 1/K'\nfrom = '{from} m'\nto = '{to} m'\n"
+        )
+    };
+    let equal =
+        beam_segment("0.5", "1", "E = '20 GPa'") + &beam_segment("1", "1.5", &section("500 mm"));
+    let higher =
+        beam_segment("0.5", "1", "E = '20 GPa'") + &beam_segment("1", "1.5", &section("1 m"));
+    for (segments, from, to, depth) in [
+        (&equal, "0", "2", Some(0.5)),
+        (&equal, "0.75", "1.25", Some(0.5)),
+        (&higher, "0", "1", Some(0.5)),
+        (&higher, "1", "1.5", Some(1.0)),
+        (&higher, "1.5", "2", Some(0.5)),
+        (&higher, "0", "1.25", None),
+        (&higher, "1.25", "2", None),
+        (&higher, "0", "2", None),
+    ] {
+        let found = first_load(&format!("{WIDE}{segments}"), &load(from, to));
+        assert_eq!(found, depth.map(|h| 1e-4 / h).ok_or(Reason::Missing("depth")), "{from} {to}");
+    }
+}
+
+/// A segment of another material or E has another weight and expansion than the material of the beam.
+#[test]
+fn weight_and_expansion_of_a_material_need_one_material() {
+    let beam = "material = 'C30/37'\nsection = { width = '1 m', height = '0.5 m' }\n";
+    let load = "[[load]]\ntemperature_difference = '10 K'\n";
+    for (keys, one) in [
+        ("section = { width = '1 m', height = '0.5 m' }", true),
+        ("material = 'C20/25'", false),
+        ("material = 'C30/37'", false),
+        ("E = '30 GPa'", false),
+    ] {
+        for segments in [
+            beam_segment("0", "1", keys),
+            beam_segment("0", "1", keys) + &beam_segment("1", "2", "I = '1 m^4'"),
+            beam_segment("0", "1", "I = '1 m^4'") + &beam_segment("1", "2", keys),
+        ] {
+            let load = format!("{load}depth = '0.5 m'\n");
+            let found = first_load(&format!("{beam}{segments}"), &load);
+            assert_eq!(
+                found,
+                if one { Ok(2e-4) } else { Err(Reason::Missing("expansion")) },
+                "{segments}"
+            );
+        }
+        let weight = format!("{beam}unit_weight = 'material'\n{}", beam_segment("0", "1", keys));
+        assert_eq!(
+            first_load(&weight, ""),
+            match one {
+                true => Ok(12.5e3),
+                false =>
+                    Err(Reason::Value("no unit weight of this beam's material is listed".into())),
+            },
+            "{keys}"
+        );
+    }
+}
+
+/// A moment, a clamp or a rotational spring may be beside each of three hinges, but not at one of them.
+#[test]
+fn nothing_turns_the_beam_at_a_hinge() {
+    let hinges = "[[hinge]]\nat = 0.5\n[[hinge]]\nat = 1.5\n[[hinge]]\nat = 1\n";
+    for (at, free) in [
+        (0.25, true),
+        (0.5, false),
+        (0.75, true),
+        (1.0, false),
+        (1.25, true),
+        (1.5, false),
+        (1.75, true),
+    ] {
+        for (table, turns) in [
+            ("[[load]]\nmoment = 1\n", true),
+            ("[[load]]\nmoment = 0\n", false),
+            ("[[load]]\npoint = 1\n", false),
+            ("[[support]]\ntype = 'fixed'\n", true),
+            ("[[support]]\nspring = 1\nrotational_spring = 1\n", true),
+            ("[[support]]\nspring = 1\nrotational_spring = 0\n", false),
+            ("[[support]]\ntype = 'pinned'\n", false),
+        ] {
+            let found = read(&format!("{SMALL}{hinges}{table}at = {at:?}\n"));
+            assert_eq!(found.is_ok(), free || !turns, "{at} {table}: {found:?}");
+        }
+    }
+}
+
+/// The layer under x = 1 to 2 only: a point force on the ground must be there.
+#[test]
+fn ground_without_mu_has_no_layer_beside_its_segments() {
+    for (mu, elsewhere) in [("", false), ("mu = 0\n", false), ("mu = 1\n", true)] {
+        for (at, inside) in [(0.5, false), (1.0, true), (1.5, true), (2.0, true)] {
+            let text = format!(
+                "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 4\n{mu}\
+                 [[foundation.segment]]\nfrom = 1\nto = 2\nk = 4\nmu = 5\n[[ground_load]]\npoint = 1\nat = {at:?}\n"
+            );
+            assert_eq!(read(&text).is_ok(), inside || elsewhere, "{mu} {at}");
+        }
+    }
+}
+
+/// A band with three factors of k and three of μ makes nine grounds, and 111 combinations on nine grounds are 999.
+#[test]
+fn combinations_count_once_for_each_ground() {
+    let load = "[[load]]\npoint = 1\nat = 1\ncase = 'G'\n";
+    let band = format!("[foundation.band]\nk = [0.5, 2]\nmu = [0, 1.5]\n{load}");
+    let combinations = |count: usize| -> String {
+        let one = |i: usize| format!("[[combination]]\nname = '{i}'\nfactors = {{ G = 2 }}\n");
+        (0..count).map(one).collect()
+    };
+    let is_read = |tables: &str, count: usize, name: &str| {
+        let text = format!("{SMALL}{tables}{}", combinations(count));
+        read_model::<Wide>(&text, Some(name)).is_ok()
+    };
+    for (count, right) in [(111, true), (112, false)] {
+        assert_eq!(is_read(&band, count, "0; best ground"), right, "{count}");
+    }
+    for (count, right) in [(1000, true), (1001, false)] {
+        assert_eq!(is_read(load, count, "0"), right, "{count}");
+    }
+    // With combinations, a ground alone is not a name. Without combinations, all loads act on each ground.
+    assert!(is_read(&band, 0, "best ground") && !is_read(&band, 0, "0; best ground"));
+    assert!(is_read(&band, 1, "0; best ground"));
+    assert!(!is_read(&band, 1, "best ground") && !is_read(&band, 1, "0"));
+}
+
+/// Without permanent cases, a set makes a combination without any case only if the file has loads without a case.
+#[test]
+fn loads_without_a_case_are_a_combination() {
+    let set = "[[case]]\nname = 'Q'\naction = 'imposed B'\n[[combination]]\nset = 'EN 1990 6.10'\n";
+    let (cased, bare) =
+        ("[[load]]\npoint = 1\nat = 1\ncase = 'Q'\n", "[[load]]\npoint = 2\nat = 1\n");
+    let sizes = |loads: &str, name: &str| {
+        let model = read_model::<Wide>(&format!("{SMALL}{loads}{set}"), Some(name));
+        model
+            .map(|model| model.loads.iter().map(size).collect::<Vec<_>>())
+            .map_err(|why| why.reason)
+    };
+    let none = "6.10: loads without a case";
+    assert_eq!(sizes(&format!("{cased}{bare}"), none), Ok(vec![2.0]));
+    assert_eq!(sizes(&format!("{cased}{bare}"), "6.10: 1.5 Q"), Ok(vec![1.5, 2.0]));
+    assert_eq!(sizes(cased, none), Err(Reason::NoCombination(none.into())));
+    assert_eq!(sizes(cased, "6.10: 1.5 Q"), Ok(vec![1.5]));
+}
+
+/// The shear area of a section does not contradict a given shear stiffness, but a given shear area does.
+#[test]
+fn a_shear_stiffness_replaces_the_shear_area_of_a_section() {
+    let shear = |keys: &str| {
+        let found = rest_of(&format!("{WIDE}{keys}"), "");
+        found.map(|model| model.beam.shear_stiffness.map(Scalar::middle)).map_err(|why| why.reason)
+    };
+    assert_eq!(shear(""), Ok(None));
+    assert_eq!(shear("shear_stiffness = '5 MN'\n"), Ok(Some(5e6)));
+    assert_eq!(shear("G = '12 MPa'\n"), Ok(Some(5e6)));
+    assert_eq!(shear("G = '10 MPa'\nshear_area = '0.5 m^2'\n"), Ok(Some(5e6)));
+    let both = Err(Reason::Together("shear_stiffness", "shear_area"));
+    assert_eq!(shear("shear_stiffness = '5 MN'\nshear_area = '0.5 m^2'\n"), both);
+    let both = Err(Reason::Together("shear_stiffness", "G"));
+    assert_eq!(shear("shear_stiffness = '5 MN'\nG = '10 MPa'\n"), both);
+}
+
+/// EI excludes each of its factors by name.
+#[test]
+fn a_stiffness_excludes_each_of_its_factors() {
+    for (keys, factor) in [("E = 1\n", "E"), ("I = 1\n", "I"), ("E = 1\nI = 1\n", "E")] {
+        let both = reason(&SMALL.replace("EI = 3\n", &format!("EI = 3\n{keys}")));
+        assert_eq!(both, Reason::Together("EI", factor));
+    }
+}
+
+/// EI = [3, 3] is constant, and EI = [3, 4] varies. Equal quantities may have different units.
+#[test]
+fn equal_values_along_the_beam_are_one_value() {
+    let segments = |values: &str, k: &str| {
+        let text = format!("[beam]\nlength = '2 m'\nEI = {values}\n[foundation]\nk = {k}\n");
+        let model = read(&text).expect("a model");
+        [model.beam.segments.len(), model.ground.segments.len()]
+    };
+    let (one, two) = ("['3 kN m^2', '3000 N m^2']", "['3 kN m^2', '4 kN m^2']");
+    assert_eq!(segments(one, "['1 MPa', '1e6 Pa']"), [0, 0]);
+    assert_eq!(segments(two, "['1 MPa', '1e6 Pa']"), [1, 0]);
+    assert_eq!(segments(one, "['1 MPa', '2 MPa']"), [0, 1]);
+    assert_eq!(segments("['3 kN m^2', '3 kN m^2', '3 kN m^2', '4 kN m^2']", "'1 MPa'"), [1, 0]);
+}
+
+/// A list may have 100 000 tables. The first table lacks the size of its load.
+#[test]
+fn a_list_of_tables_is_limited() {
+    for (count, found) in [(100_000, Reason::Missing("point")), (100_001, Reason::TooLarge)] {
+        let tables = "{},".repeat(count);
+        assert_eq!(reason(&format!("load = [{tables}]\n{SMALL}")), found, "{count}");
+    }
+}
