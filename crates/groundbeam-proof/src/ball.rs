@@ -99,7 +99,7 @@ impl Scalar for Ball {
         if self.m == 0.0 && self.r == 0.0 {
             return self;
         }
-        if !(self.low() >= 0.0) || !(self.m > 0.0) {
+        if !(self.low() >= 0.0) {
             return Ball::ALL;
         }
         // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0. `size` exceeds the

@@ -160,7 +160,7 @@ impl Scalar for Wide {
         if self.h == 0.0 && self.r == 0.0 {
             return self;
         }
-        if !(self.low() >= 0.0) || !(self.h > 0.0) {
+        if !(self.low() >= 0.0) {
             return Wide::ALL;
         }
         // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0. The

@@ -284,3 +284,29 @@ fn scaling_to_the_smallest_numbers_has_narrow_bounds() {
         assert!(ends[0] <= low && high <= ends[1], "{exponent}: {scaled:?}");
     }
 }
+
+/// The root of a ball with negative numbers has no bound. The root of zero is zero.
+#[test]
+fn roots_of_negative_numbers_have_no_bound() {
+    fn check<S: Enclosure>() {
+        for (middle, radius, bounded) in [
+            (0.0, 0.0, true),
+            (1.0, 0.0, true),
+            (1.0, 0.5, true),
+            (1.0, 1.5, false),
+            (1e200, 2e200, false),
+            (0.0, 1e-300, false),
+            (0.0, 1.0, false),
+            (-1.0, 0.5, false),
+            (-1.0, 2.0, false),
+            (1e-300, 0.0, false),
+        ] {
+            let root = S::of(middle).widened(radius).sqrt();
+            assert_eq!(root.size() < f64::INFINITY, bounded, "{middle} {radius}: {root:?}");
+            check_bounds(root);
+        }
+        assert_eq!(S::of(0.0).sqrt().ends(), Some([Exact::of(0.0), Exact::of(0.0)]));
+    }
+    check::<Ball>();
+    check::<Wide>();
+}
