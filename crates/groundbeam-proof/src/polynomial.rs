@@ -370,20 +370,32 @@ mod tests {
         assert_eq!(taken(&mut budget), 2000);
     }
 
-    /// p = s + 4s², with s = 1 + t or s = 1 − t, increases with s on |t| ≤ 1. So it is smaller than its value at s = s₀
-    /// where 0 ≤ s < s₀, on an interval of length s₀.
+    /// p = s + 4s², with s = 1 + t/τ or s = 1 − t/τ, increases with s on |t| ≤ τ. So it is smaller than its value at
+    /// s = s₀ where 0 ≤ s < s₀, on an interval of length τs₀.
     #[test]
     fn the_negative_part_of_a_monotone_function_is_found_by_bisection() {
-        for sign in [1.0, -1.0] {
-            let field = <Polynomial<Ball>>::from_coefficients([5.0, sign * 9.0, 4.0].map(Ball::of));
+        for (sign, tau) in [(1.0, 1.0), (-1.0, 1.0), (1.0, 1e-10), (-1.0, 1e-10)] {
+            let c = [5.0, sign * 9.0 / tau, 4.0 / (tau * tau)];
+            let field = <Polynomial<Ball>>::from_coefficients(c.map(Ball::of));
             for s in [0.001, 0.01, 0.1, 0.3, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9] {
                 let less = Size::of(s + 4.0 * s * s);
-                let found = below(&field, less, Size::ZERO, [-1.0, 1.0], &mut Budget::new(1));
-                let (depth, width) = (found.depth.value() / less.value(), found.width.value() / s);
+                let found = below(&field, less, Size::ZERO, [-tau, tau], &mut Budget::new(1));
+                let depth = found.depth.value() / less.value();
+                let width = found.width.value() / (tau * s);
                 assert!((1.0 - 1e-9..1.0 + 1e-9).contains(&depth), "{s}: {depth}");
-                assert!((1.0 - 1e-9..1.07).contains(&width), "{sign} {s}: {width}");
+                assert!((1.0 - 1e-9..1.07).contains(&width), "{sign} {tau} {s}: {width}");
             }
         }
+    }
+
+    /// The bound of a constant negative function, −1 − ½, is exact on the whole interval, which is not halved.
+    #[test]
+    fn a_constant_function_needs_no_halving() {
+        let field = <Polynomial<Ball>>::from_coefficients([Ball::of(-1.0)]);
+        let mut budget = Budget::new(1);
+        let found = below(&field, Size::of(0.5), Size::ZERO, [-1.0, 1.0], &mut budget);
+        assert!((found.depth.value() - 1.5).abs() < 1e-12, "{found:?}");
+        assert_eq!((0..1000).filter(|_| budget.take()).count(), 200);
     }
 
     /// Σ|cⱼ|τʲ is not rounded down among the smallest numbers: 2⁻¹⁰²⁰, half of 2⁻¹⁰⁷⁴, 1.75·2⁻¹⁰²¹ and 10⁻³⁴⁰.

@@ -201,3 +201,23 @@ fn the_depth_on_a_piece_is_found_by_halving() {
         });
     }
 }
+
+/// The clearance t² above the surface u = 0 has a double zero in the middle of the piece. The search ends at the rounding
+/// error of the clearance, after at most two times 30 halvings.
+#[test]
+fn a_double_zero_of_the_clearance_needs_few_halvings() {
+    let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
+    let piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0, 0, -1]});
+    with_fields(text, &json!({"pieces": [piece]}), |fields| {
+        let span = &fields.frame.spans[0];
+        let open = OpenPiece::of(span, [Wide::zero(); 2], None, [Size::ZERO; 3]);
+        let mut budget = Budget::new(1);
+        budget.begin();
+        for interval in [[-1.0, 1.0], [-0.9, 1.0]] {
+            let depth = open.deepest(interval, Size::ZERO, &mut budget).value();
+            assert!(depth < 1e-15, "{depth:e}");
+        }
+        let left = (0..1000).filter(|_| budget.take()).count();
+        assert!(left >= 80, "{left}");
+    });
+}
