@@ -6,7 +6,8 @@
 //! length of a wave is 1/wave number. Phase A finds the contact of this stiff beam, and phase B its edges. The
 //! stiffness is then reduced in steps to the stiffness of the model. Each step predicts the edges by the secant
 //! of the two preceding beams and corrects them by Newton's method without a line search. A step that does not
-//! converge is halved.
+//! converge is halved. After the shortest step, Newton's method with a line search solves the beam, and the steps
+//! start again with the longest one.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -77,7 +78,7 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
             None if step > SHORTEST_STEP => step *= 0.5,
             None => {
                 found = edges(bonded, Start::of(found), MOST_STEPS, &mut |_| 0.0)?;
-                (contact, doublings, before) = (asked(&found), next, None);
+                (contact, doublings, before, step) = (asked(&found), next, None, longest);
             }
         }
     }

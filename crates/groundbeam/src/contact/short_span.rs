@@ -16,11 +16,11 @@
 //! the rounding error of the integrals is ε h (kψ + μψ″). The functions use the formula with the smaller rounding
 //! error.
 
-use crate::ground::link::{TwoPort, between, settled};
+use crate::ground::link::{Pair, TwoPort};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection};
 use crate::numeric::elementary::{cosh, sinh};
-use crate::numeric::polynomial::value;
+use crate::numeric::polynomial::{Coefficients, value};
 use crate::numeric::real::Real;
 
 /// Maximum number of cells of a short span, counted from the cell of its left end to the cell of its right end. An end
@@ -40,8 +40,16 @@ struct SpanPart<R> {
     /// Length of this part of the cell, times the decay rate b = √(k/μ) of the ground.
     length: R,
     stiffness: R,
-    /// Separate cell for this part, with its two-port, if the ground varies; otherwise `None`.
-    varying: Option<(Cell<R>, TwoPort<R>)>,
+    /// Unloaded ground of this part of the cell, if the ground varies; otherwise `None`.
+    varying: Option<Box<VaryingGround<R>>>,
+}
+
+/// Unloaded ground of varying k or μ between two points.
+struct VaryingGround<R> {
+    link: TwoPort<R>,
+    /// Coefficients in s ∈ \[−1, 1\] of two surfaces. The first surface is 1 at the left point and 0 at the right
+    /// point, and the second surface is 0 at the left point and 1 at the right point.
+    surfaces: [Coefficients<R>; 2],
 }
 
 impl<R: Real> SpanPart<R> {
@@ -55,8 +63,12 @@ impl<R: Real> SpanPart<R> {
             if !own.is_smooth() || !own.is_short_for_open_ground(half) {
                 return None;
             }
-            let link = TwoPort::varying(&own.subgrade_along(), &own.shear_layer_along(), half);
-            part.varying = Some((own, link));
+            let shear = own.shear_layer_along();
+            let pair = Pair::new(&own.subgrade_along(), &shear, half);
+            part.varying = Some(Box::new(VaryingGround {
+                link: pair.link(&shear, half),
+                surfaces: [[R::ONE, R::ZERO], [R::ZERO, R::ONE]].map(|ends| pair.between(ends)),
+            }));
         }
         Some(part)
     }
@@ -65,7 +77,8 @@ impl<R: Real> SpanPart<R> {
     /// the left end. If `turned` is set, computes the values at the left end from those at the right end. All terms
     /// are positive, so no digits cancel.
     fn cross(&self, phi: R, flux: R, turned: bool) -> [R; 2] {
-        if let Some((_, link)) = &self.varying {
+        if let Some(ground) = &self.varying {
+            let link = &ground.link;
             let (behind, ahead) = if turned {
                 (link.shunt_right, link.shunt_left)
             } else {
@@ -87,29 +100,33 @@ impl<R: Real> SpanPart<R> {
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
-        if let Some((cell, _)) = &self.varying {
-            let (spring, shear) = (cell.subgrade_along(), cell.shear_layer_along());
-            let shapes = [[R::ONE, R::ZERO], [R::ZERO, R::ONE]]
-                .map(|ends| settled(&spring, &shear, self.half, ends));
+        if let Some(ground) = &self.varying {
             for (x, weight) in GAUSS_16 {
                 for s in [-x, x] {
                     let p = at(0.5 * (1.0 + s)) * weight;
-                    under[0] += p * value(&shapes[0], s);
-                    under[1] += p * value(&shapes[1], s);
+                    for (under, surface) in under.iter_mut().zip(&ground.surfaces) {
+                        *under += p * value(surface, s);
+                    }
                 }
             }
             return under;
         }
+        // The second surface is sinh(t z)/sinh(z) at the fraction t of the length z.
+        let square = self.length * self.length;
         for (x, weight) in GAUSS_16 {
             let t = 0.5 - 0.5 * x;
-            let near = between(R::ZERO, R::ONE, self.length, t);
-            let far = between(R::ONE, R::ZERO, self.length, t);
+            let [near, far] = [t, 1.0 - t].map(|t| sinh_over(square * (t * t)) * t);
             let [p, q] = [t, 1.0 - t].map(at);
             under[0] += (p * far + q * near) * weight;
             under[1] += (p * near + q * far) * weight;
         }
-        under
+        under.map(|under| under / sinh_over(square))
     }
+}
+
+/// Computes sinh(z)/z from z², for z up to [`LONGEST`]. The first omitted term of the power series is below 1e-17.
+fn sinh_over<R: Real>(square: R) -> R {
+    R::ONE + square * (R::ONE + square * (R::ONE + square / 42.0) / 20.0) / 6.0
 }
 
 /// Half the length of a part of a cell.

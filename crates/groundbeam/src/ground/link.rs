@@ -90,13 +90,13 @@ pub(crate) fn settled<R: Real>(
 
 /// Two solutions u(s) of −(μu')' + ku = 0 on a short stretch of ground, as power series in the coordinate s,
 /// which is 0 in the middle of the stretch and ±1 at its ends. The first terms of the series are 1 and s.
-struct Pair<R> {
+pub(crate) struct Pair<R> {
     one: [R; SURFACE_TERMS],
     rising: [R; SURFACE_TERMS],
 }
 
 impl<R: Real> Pair<R> {
-    fn new(spring: &[R], shear: &[R], half: f64) -> Self {
+    pub fn new(spring: &[R], shear: &[R], half: f64) -> Self {
         let solution = |first: [R; 2]| {
             let mut c = [R::ZERO; SURFACE_TERMS];
             c[..2].copy_from_slice(&first);
@@ -131,14 +131,15 @@ impl<R: Real> Pair<R> {
         ([level / determinant, rise / determinant], determinant)
     }
 
-    fn between(&self, ends: [R; 2]) -> Coefficients<R> {
+    /// Returns the coefficients of the surface with the values `ends` at both ends of the stretch.
+    pub fn between(&self, ends: [R; 2]) -> Coefficients<R> {
         let ([level, rise], _) = self.amplitudes(ends);
         self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()
     }
 
     /// Returns the two-port of the stretch. Its series stiffness is μ times the Wronskian of the solutions `one`
     /// and `rising`, which is constant, divided by the determinant of `amplitudes`.
-    fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
+    pub fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let slope = |end: f64| {
             let [_, one, ..] = jet(&self.one, end);
