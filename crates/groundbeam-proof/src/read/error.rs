@@ -127,7 +127,10 @@ mod tests {
             (Reason::Together("a", "b"), "`a` and `b` exclude each other"),
             (Reason::Value("a is wrong".into()), "a is wrong"),
             (Reason::OutOfRange("a is large".into()), "a is large"),
-            (Reason::NotRead("a"), "the independent second reader of model files does not support `a`"),
+            (
+                Reason::NotRead("a"),
+                "the independent second reader of model files does not support `a`",
+            ),
             (Reason::NoCombination("a".into()), "the file has no combination `a`"),
         ] {
             let error = ReadError { line: 3, column: 7, reason };

@@ -6,8 +6,8 @@
 //! length of a wave is 1/wave number. Phase A finds the contact of this stiff beam, and phase B its edges. The
 //! stiffness is then reduced in steps to the stiffness of the model. Each step predicts the edges by the secant
 //! of the two preceding beams and corrects them by Newton's method without a line search. A step that does not
-//! converge is halved. After the shortest step, Newton's method with a line search solves the beam, and the steps
-//! start again with the longest one.
+//! converge is halved. If a very short step does not converge, Newton's method with a line search solves the beam, and
+//! the steps start again with the longest one.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -17,8 +17,8 @@ use crate::contact::nodes;
 use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{
-    CORRECTOR_STEPS, LEVELS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, ROUGH, SHORTEST_STEP,
-    STALE_STEPS, STIFF_WAVES,
+    CORRECTOR_STEPS, FEW_STEPS, LEVELS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, ROUGH, SEARCHED_STEP,
+    SHORTEST_STEP, STALE_STEPS, STIFF_WAVES,
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::element::operator::{Operator, ZoneKind};
@@ -75,10 +75,18 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
                 step = longest.min(2.0 * step);
             }
             None if cancel.is_cancelled() => return Err(edges_not_converged(0, f64::NAN)),
-            None if step > SHORTEST_STEP => step *= 0.5,
+            None if step > SEARCHED_STEP => step *= 0.5,
             None => {
-                found = edges(bonded, Start::of(found), MOST_STEPS, &mut |_| 0.0)?;
-                (contact, doublings, before, step) = (asked(&found), next, None, longest);
+                let is_shortest = step <= SHORTEST_STEP;
+                let limit = if is_shortest { MOST_STEPS } else { FEW_STEPS };
+                match edges(bonded, Start::of(found.clone()), limit, &mut |_| 0.0) {
+                    Ok(corrected) => {
+                        found = corrected;
+                        (contact, doublings, before, step) = (asked(&found), next, None, longest);
+                    }
+                    Err(stalled) if is_shortest => return Err(stalled),
+                    Err(_) => step *= 0.5,
+                }
             }
         }
     }
