@@ -92,7 +92,8 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut found = None;
     let mut last = PathPoint { contact: joined(begin.contact, l), ..begin };
-    let mut before: Option<PathPoint> = None;
+    // The last two equilibria before `last`, the older one first.
+    let mut before: [Option<PathPoint>; 2] = [None, None];
     let mut step = FIRST * wanted;
     let mut failed = false;
     let mut end = PathEnd::NotStable(last.active.clone());
@@ -107,13 +108,14 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
             let last = PathPoint { compression: f64::INFINITY, ..last };
             return EquilibriumPath { wanted: found, last, end };
         }
-        let start = predicted(before.as_ref(), &last, target, l);
+        let start = predicted(&before, &last, target, l);
         match next(model, &places, &last, &start, target, cancel) {
             Ok(state) => {
                 if target == wanted {
                     found = Some(state.clone());
                 }
-                before = Some(std::mem::replace(&mut last, state));
+                let [_, newer] = before;
+                before = [newer, Some(std::mem::replace(&mut last, state))];
                 if !failed {
                     step *= 2.0;
                 }
@@ -129,14 +131,56 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     EquilibriumPath { wanted: found, last, end }
 }
 
-/// Returns the initial guess at the next compression. Its contact edges are extrapolated along the secant of
-/// the last two equilibria.
-fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: f64) -> PathPoint {
-    let edges = before.filter(|before| before.active == last.active).and_then(|before| {
-        let part = (compression - last.compression) / (last.compression - before.compression);
-        secant(&before.contact, &last.contact, part, l)
-    });
-    PathPoint { contact: edges.unwrap_or_else(|| last.contact.clone()), ..last.clone() }
+/// Returns the initial guess at the next compression. Its contact edges are extrapolated from the last three equilibria,
+/// or along the secant of the last two. `before` contains the two equilibria before `last`.
+fn predicted(
+    before: &[Option<PathPoint>; 2],
+    last: &PathPoint,
+    compression: f64,
+    l: f64,
+) -> PathPoint {
+    let alike = |before: &&PathPoint| before.active == last.active;
+    let [older, newer] = before.each_ref().map(|point| point.as_ref().filter(alike));
+    let on_parabola = || parabola([older?, newer?, last], compression, l);
+    let on_secant = || {
+        let newer = newer?;
+        let part = (compression - last.compression) / (last.compression - newer.compression);
+        secant(&newer.contact, &last.contact, part, l)
+    };
+    let edges = on_parabola().or_else(on_secant).unwrap_or_else(|| last.contact.clone());
+    PathPoint { contact: edges, ..last.clone() }
+}
+
+/// Extrapolates the contact edges from three equilibria. Near a limit point the compression is a quadratic function of
+/// the edges. The edge that moved most is the parameter: the compression and all edges are quadratic functions of it.
+/// Returns `None` if the compression is above the maximum of its function, if the number of zones changed, or if two
+/// zones would meet.
+fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Interval>> {
+    let [older, newer, last] = points.map(|point| point.contact.as_flattened());
+    if older.len() != last.len() || newer.len() != last.len() {
+        return None;
+    }
+    let moved = |i: &usize| (last[*i] - newer[*i]).abs();
+    let most = (0..last.len()).max_by(|a, b| moved(a).total_cmp(&moved(b)))?;
+    let parameter = [older, newer].map(|edges| edges[most] - last[most]);
+    // Coefficients of the linear and the quadratic term of a function with the given differences from its last value.
+    let coefficients = |differences: [f64; 2]| {
+        let [first, second] = [0, 1].map(|i| differences[i] / parameter[i]);
+        let square = (first - second) / (parameter[0] - parameter[1]);
+        [second - square * parameter[1], square]
+    };
+    let step = |i: usize| points[i].compression - points[2].compression;
+    let [linear, square] = coefficients([step(0), step(1)]);
+    let wanted = compression - points[2].compression;
+    let root = (linear * linear + 4.0 * square * wanted).sqrt();
+    let at = 2.0 * wanted / (linear + root.copysign(linear));
+    let edge = |i: usize| {
+        let [linear, square] = coefficients([older[i] - last[i], newer[i] - last[i]]);
+        (last[i] + at * (linear + at * square)).clamp(0.0, l)
+    };
+    let edges: Vec<f64> = (0..last.len()).map(edge).collect();
+    let is_valid = edges.iter().all(|edge| edge.is_finite()) && edges.is_sorted();
+    is_valid.then(|| edges.chunks(2).map(|ends| [ends[0], ends[1]]).collect())
 }
 
 /// Returns the next equilibrium on the path. To exclude a jump to another path, Newton's method must lead from the next
@@ -216,4 +260,31 @@ fn other_supports(
     let candidate = Candidate::of(held, found, &mut Workspace::default());
     let acts = one_way::asked_for(model, &state.active, &candidate);
     (acts != state.active).then(|| PathPoint { active: acts, ..state.clone() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Near a limit point at the compression 1, the edges are linear functions of √(1 − compression).
+    #[test]
+    fn edges_are_extrapolated_exactly_near_a_limit_point() {
+        let contact = |compression: f64| {
+            let root = (1.0 - compression).sqrt();
+            vec![[0.1 + 0.01 * root, 0.5 - 0.1 * root], [0.7, 0.9 + 0.05 * root]]
+        };
+        let point = |compression: f64| PathPoint {
+            compression,
+            contact: contact(compression),
+            active: Vec::new(),
+        };
+        let points = [0.7, 0.8, 0.9].map(point);
+        let found = parabola(points.each_ref(), 0.99, 1.0).expect("edges");
+        for (found, exact) in found.as_flattened().iter().zip(contact(0.99).as_flattened()) {
+            assert!((found - exact).abs() < 1e-14, "{found} {exact}");
+        }
+        assert_eq!(parabola(points.each_ref(), 1.01, 1.0), None);
+        let one_zone = PathPoint { contact: vec![[0.1, 0.9]], ..points[1].clone() };
+        assert_eq!(parabola([&points[0], &one_zone, &points[2]], 0.99, 1.0), None);
+    }
 }
