@@ -15,7 +15,8 @@ fn solved(model: &Model) -> Box<Solution> {
     }
 }
 
-/// Returns the bit patterns of the computed contact edges, left end force and primal energy of each model.
+/// Returns the bit patterns of three results of each model: the computed contact edges, the contact force under the
+/// left end of the beam, and the primal energy.
 fn bits(models: &[Model]) -> Vec<u64> {
     let of = |model: &Model| {
         let solution = solved(model);

@@ -185,8 +185,8 @@ fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]
     let far = [[-kww, kwt], [-kwt, across]];
     let (k, mu) = (q(model.foundation.subgrade), q(model.foundation.shear_layer));
     let z2 = k * h * h / mu;
-    // With z = h √(k/μ), the ground has a spring of stiffness √(kμ) / sinh z between the two ends of the element, and
-    // a spring of stiffness √(kμ) tanh(z/2) under each end.
+    // With the element length h and z = h √(k/μ), the ground has a spring of stiffness √(kμ) / sinh z between the two
+    // ends of the element, and a spring of stiffness √(kμ) tanh(z/2) under each end.
     let (s1, s2) = (stumpff(z2, 1), stumpff(z2, 2));
     (near, far, [k * h * s2 / s1, mu / h / s1])
 }

@@ -70,7 +70,7 @@ const EXCEPTIONS: [(&str, Cause, &str); 8] = [
     (
         "textbook/rigid-footing-of-kikuchi-about-to-lift-off.toml",
         Cause::Threshold,
-        "the contact set is not proven: the clearance of open ground is too small to exclude contact",
+        "the contact set is not proven: the clearance between beam and ground is too small to exclude contact",
     ),
     (
         "textbook/engesser-1891-pinned-beam-that-shears-in-compression.toml",

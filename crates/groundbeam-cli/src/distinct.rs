@@ -18,7 +18,7 @@ pub fn check<'a>(
     for input in inputs {
         let shown = format!("the input {}", input.display());
         let input = if input.as_os_str() == "-" { Path::new("/dev/stdin") } else { input };
-        // A pipe, a device or a file that no longer exists has no identity. No output can replace it.
+        // A pipe, a device or a deleted file has no identity, and an output file cannot overwrite it.
         if let Ok(Some(identity)) = Identity::of(input) {
             taken.push((identity, shown));
         }

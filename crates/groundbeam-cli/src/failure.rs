@@ -31,7 +31,8 @@ impl Failure {
         Failure { shown, status: Status::Wrong }
     }
 
-    /// Returns the failure of a command whose result is no solution, for example because no equilibrium exists.
+    /// Returns the failure of a command that ends without the requested result, for example because no equilibrium
+    /// exists.
     pub fn reported(shown: String, status: Status) -> Self {
         Failure { shown, status }
     }

@@ -124,7 +124,8 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     Ok((run.with_options(request.options()).with_growing(growing), title))
 }
 
-/// Returns the loads that grow: the loads of the listed cases, or all loads.
+/// Returns the loads that the load factor multiplies: the loads of the listed cases, or all loads if no case is
+/// listed.
 fn growing(
     input: &Input,
     cases: Option<&str>,

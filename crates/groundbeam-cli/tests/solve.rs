@@ -291,7 +291,7 @@ fn unknown_load_cases_are_refused() {
     run("--factors=").fails(2, "a load case is missing here");
     Folder::with(LIFTS)
         .run(&["solve", "model.toml", "--factors=Q"])
-        .fails(2, "add a `case` to the loads");
+        .fails(2, "no load of the file has the key `case`");
 }
 
 /// A rail under two axles.

@@ -36,7 +36,7 @@ impl<'a> Beside<'a> {
         Beside { folder, ..self }
     }
 
-    /// Returns the path and the bytes of a file whose name is relative to the folder.
+    /// Reads the file with this name, relative to the folder of `self`. Returns the path and the bytes of the file.
     pub(crate) fn read(&self, name: &str) -> (PathBuf, io::Result<Vec<u8>>) {
         let path = self.folder.join(name);
         let bytes = self.read_path(&path);

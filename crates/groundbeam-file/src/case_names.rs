@@ -17,7 +17,7 @@ pub(crate) const NO_LOAD: &str = "no load belongs to a case `{}`";
 /// Returns the hint for a name that resembles no load case.
 pub(crate) fn otherwise(names: &[&str]) -> &'static str {
     match names {
-        [] => "no load of the file has a `case`; add a `case` to the loads of this case",
+        [] => "no load of the file has the key `case`; add this key to each load of the load case",
         _ => "the cases of the file: {}",
     }
 }

@@ -75,6 +75,6 @@ mod tests {
     #[test]
     fn the_message_for_a_file_without_cases_shows_how_to_give_one() {
         let wrong = parse_cases("G", &document(&[""])).unwrap_err();
-        assert!(wrong.iter().all(|d| d.hint.contains("no load of the file has a `case`")));
+        assert!(wrong.iter().all(|d| d.hint.contains("no load of the file has the key `case`")));
     }
 }

@@ -13,7 +13,7 @@ use groundbeam::{Load, Model, design::LimitStates};
 /// Maximum number of combinations in a file. Each combination counts once for each pair of factors on k and μ.
 pub(crate) const MOST: usize = 1000;
 
-/// Combination as written in the file, with its name and its factors on load cases.
+/// Combination as written in the file: its name, and the factors on the loads of the load cases.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Recipe {
     pub name: String,
@@ -52,7 +52,7 @@ pub struct Combination {
     pub eurocode: bool,
     /// Model of the file under the factored loads. Loads with the factor 0 are omitted.
     pub model: Model,
-    /// Indices in the document of the loads whose factor is not 0.
+    /// Indices, in the load list of the document, of the loads whose factor is not 0.
     pub loads: Vec<usize>,
     /// Factors on k and μ, if the file has a [`Band`](crate::Band). The ground of `model` already includes these
     /// factors.

@@ -47,7 +47,7 @@ pub struct Document {
     pub depths: Vec<Depth>,
     /// All quantities of the file, in the order of the text. Programs edit these quantities to change the model.
     pub quantities: Vec<Quantity>,
-    /// Files that the model file names.
+    /// Other files to which the model file refers.
     pub files: Vec<Arc<OtherFile>>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,

@@ -20,7 +20,7 @@ pub struct MovingTrain {
     pub factor: f64,
     /// Dynamic factor already applied to the axles of the train.
     pub dynamic: f64,
-    /// Placement of the unbounded loads of the train.
+    /// Placement of those distributed loads of the train that have infinite length.
     pub spread: Spread,
     /// Axles and uniform loads of the train. All loads are already multiplied by `factor`, and the axle loads also by
     /// `dynamic`.
@@ -29,15 +29,15 @@ pub struct MovingTrain {
     pub range: [f64; 2],
 }
 
-/// Placement of the unbounded loads of a train.
+/// Placement of those distributed loads of a train that have infinite length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Spread {
-    /// The unbounded loads act over their whole length.
+    /// The loads of infinite length act over their whole length.
     #[default]
     Everywhere,
-    /// The unbounded loads act only ahead of the train.
+    /// The loads of infinite length act only ahead of the train.
     Ahead,
-    /// The unbounded loads act only behind the train.
+    /// The loads of infinite length act only behind the train.
     Behind,
     /// A load that has neither a front end nor a rear end acts on the left half of the beam only.
     LeftHalf,
@@ -117,8 +117,8 @@ impl MovingTrain {
         (MovingTrain { train, spread, ..self.clone() }, fixed)
     }
 
-    /// Returns the name of the train, followed by the placement of its unbounded loads unless these loads act
-    /// everywhere.
+    /// Returns the name of the train, followed by the placement of its loads of infinite length unless these loads
+    /// act everywhere.
     pub fn placed_name(&self) -> String {
         match self.spread {
             Spread::Everywhere => self.name.clone(),

@@ -29,7 +29,7 @@ impl Along {
         !self.profile.control_values().iter().any(|value| value.is_nan())
     }
 
-    /// Returns the first value of the list with the location of the list; NaN if the list could not be
+    /// Returns the first value of the list, with the place of the list in the file; NaN if the list could not be
     /// read.
     pub fn field(&self) -> Field {
         let value = if self.is_readable() { self.profile.start() } else { f64::NAN };
@@ -41,7 +41,7 @@ impl Along {
         Along { profile: self.profile.part(from, to), span: self.span.clone() }
     }
 
-    /// Returns the product of two quantities. The location of the product is `span`.
+    /// Returns the product of two quantities. Messages about the product refer to the place `span` in the file.
     pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
         // The file format limits the degree of each factor so that the product has at most `Profile::MOST`
         // coefficients. Therefore, the value NaN below is never used.

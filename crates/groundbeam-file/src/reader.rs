@@ -21,11 +21,11 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
-/// A value and its location.
+/// A value and its place in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Field {
-    /// The value in SI units or as written; NaN for an unreadable value in the file, which has been
-    /// reported.
+    /// Value in SI units, or as written if the file has no units; NaN if the value is missing or unreadable, which
+    /// has been reported.
     pub value: f64,
     pub span: Range<usize>,
 }
@@ -43,9 +43,9 @@ impl Field {
 
 pub(crate) struct Reader<'s> {
     pub source: &'s Source,
-    /// Location of the files that the model file names; `None` if the model file must not name files.
+    /// Source of the files to which the model file refers; `None` if it must not refer to other files.
     pub beside: Option<Beside<'s>>,
-    /// Files that the model file names and that have been read.
+    /// Files to which the model file refers and that have been read.
     pub others: Vec<Arc<OtherFile>>,
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,

@@ -19,7 +19,7 @@ pub enum Course {
     Steps,
 }
 
-/// Meaning of several numbers that describe one quantity along the beam.
+/// Interpretation of a list of numbers that describes one quantity along the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// Values at equidistant points or on equal stretches.

@@ -12,10 +12,10 @@ use std::fmt::Write;
 
 /// Returns the model as a model file. Reading the file gives the same numbers bit for bit.
 ///
-/// Ground defined by soil data is written as soil data. The only exception is ground whose constants k and μ
-/// have been multiplied by a factor of a range of ground stiffness. Its constants are written, because a file
-/// with such a range describes several models. The numbers have SI units or no units. Non-finite numbers cannot
-/// be read again; [`Model::problems`] reports them.
+/// Ground defined by soil data is written as soil data, with one exception. A model file may give a range of factors
+/// on the ground stiffness, and then describes several models. For a model in which such a factor multiplies the
+/// ground, the multiplied constants k and μ are written. The numbers have SI units or no units. Non-finite numbers
+/// cannot be read again; [`Model::problems`] reports them.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};

@@ -395,7 +395,7 @@ fn a_set_without_any_combination_is_refused() {
     let text = format!("{BARE}{}{}", case("W", "wind"), set("EN 1990 quasi-permanent"));
     let (code, line, said) = fault(&text);
     assert_eq!((code, line), ("GB004", text.lines().count()));
-    assert!(said.contains("has no combination") && said.contains("leave the set out"), "{said}");
+    assert!(said.contains("has no combination") && said.contains("leave out this set"), "{said}");
     let text = format!("{BARE}{UNIFORM}{}{}", case("W", "wind"), set("EN 1990 seismic"));
     let (code, _, said) = fault(&text);
     assert!(code == "GB004" && said.contains("action = \"seismic\""), "{said}");

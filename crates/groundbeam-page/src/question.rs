@@ -171,7 +171,8 @@ impl Asked {
         }
         let Some(at) = self.first_axle else { return Ok(()) };
         let Some(Trains::One(i)) = self.train else {
-            let allowed = "given together with the index of one `train`";
+            let allowed =
+                "given together with the key `train`, whose value is the index of a train";
             return Err(WrongQuery::value("first_axle", &at.to_string(), allowed));
         };
         let [from, to] = file.trains[i].range;

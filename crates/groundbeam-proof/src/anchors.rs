@@ -50,12 +50,12 @@ struct Part {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Returns the parts of the beam between hinges, free or elastic, as ranges of pieces.
+    /// Divides the beam at all hinges, with or without a rotational spring. Returns the parts as ranges of pieces.
     pub(crate) fn parts(&self) -> Vec<Range<usize>> {
         self.cut(|node| node.is_hinged())
     }
 
-    /// Returns the parts of the beam between free hinges, as ranges of pieces.
+    /// Divides the beam at the hinges without a rotational spring. Returns the parts as ranges of pieces.
     pub(crate) fn joined_parts(&self) -> Vec<Range<usize>> {
         self.cut(|node| node.is_free_hinge())
     }
@@ -86,7 +86,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         [most(&|span| Some(&span.bending)), most(&|span| span.stiffness.as_ref())]
     }
 
-    /// Returns a bound of the error of the deflection on each part between hinges.
+    /// Returns a bound of the error of the deflection on each part between hinges. An anchor is a position at which
+    /// this error has a known bound.
     ///
     /// A part needs two anchors, or one anchor and a bound of the rotation error. The bound of a part provides an
     /// anchor for each neighbouring part at the common hinge. Parts joined by elastic hinges also have a common bound,
@@ -209,10 +210,10 @@ impl<S: Scalar> Pointwise<'_, S> {
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
-    /// Returns a bound of the error of the deflection at an active one-way support. At a rigid support, the
-    /// redistributed reaction times this error is at most the bound of the error energy. A spring with a sufficiently
-    /// large force is also active in the exact solution. The energy of the error in such a spring is at most the bound
-    /// of the error energy.
+    /// Returns a bound of the error of the deflection at a one-way support that exerts a force. At a rigid support,
+    /// the reaction after the correction for exact equilibrium, multiplied by this error, is at most the bound of the
+    /// error energy. A spring whose claimed force is large enough also exerts a force in the exact solution, and the
+    /// energy of its error is at most the same bound.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {

@@ -30,10 +30,10 @@ pub struct Piece {
     /// Coefficients of the contact pressure \[N/m\] as a polynomial of the local coordinate t, the constant coefficient
     /// first; empty if the pressure is not stored.
     pub pressure: Vec<f64>,
-    /// Displacement u of the ground at both ends of an open piece \[m\]; `None` if it is not stored.
+    /// Displacement u of the ground at both ends of a piece without contact \[m\]; `None` if it is not stored.
     pub open: Option<[f64; 2]>,
-    /// Coefficients of the displacement u(t) of the ground \[m\] on an open piece over varying ground; empty if they
-    /// are not stored.
+    /// Coefficients of the ground displacement u \[m\] as a polynomial of the local coordinate t, the constant
+    /// coefficient first. They belong to a piece without contact where k or μ varies; empty if they are not stored.
     pub settlement: Vec<f64>,
 }
 

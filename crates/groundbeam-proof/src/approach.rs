@@ -13,25 +13,29 @@ const INTERVALS: [usize; 2] = [4002, 122];
 /// Proven bounds at an end of a piece without contact, if beam and ground touch at this end in the claimed solution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Approach {
-    /// Distance θ from the touching node. At larger distances, the exact solution has no contact on the piece.
+    /// Distance θ from that end of the piece at which beam and ground touch. At larger distances, the exact solution
+    /// has no contact on the piece.
     pub theta: Size,
-    /// Error bound of the flux μu′ at the node. It is valid if the exact solution has no contact on the piece.
+    /// Error bound of the force μu′ in the shear layer at that end of the piece at which beam and ground touch; u is
+    /// the ground displacement. The bound is valid if the exact solution has no contact on the piece.
     pub flux: Size,
-    /// μ|C′| at the node, where C is the clearance.
+    /// μ|C′| at that end of the piece at which beam and ground touch, where C is the clearance.
     pub steep: Size,
-    /// Coordinate on the piece, from −1 to 1, at which the proof changes its method. Nearer to the node, the proof
-    /// bounds the slope of the clearance. Farther from the node, it bounds the clearance itself.
+    /// Coordinate on the piece, from −1 to 1, at which the proof changes its method. Between this coordinate and the
+    /// end at which beam and ground touch, the proof bounds the slope of the clearance. On the rest of the piece, it
+    /// bounds the clearance itself.
     pub reach: f64,
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves that an open piece is open in the exact solution. Returns the [`Approach`] at each touching end.
+    /// Proves that beam and ground do not touch on an open piece in the exact solution. Returns the [`Approach`] at
+    /// each end of the piece at which they touch in the claimed solution (touching end).
     ///
     /// In the middle of the piece, the clearance must exceed the sum of the error bounds of deflection and ground
-    /// displacement. Near a touching end, the clearance must decrease towards the end faster than the error bound of
-    /// its slope. At a rigid support on the surface of the ground, the beam rises from the ground, and the function
-    /// adds the zone next to the support to `zones`. A piece that rests on the ground without load has no pressure and
-    /// needs no proof.
+    /// displacement. Near a touching end, the clearance must decrease towards the end, and the magnitude of its slope
+    /// must exceed the error bound of this slope. At a rigid support on the surface of the ground, the beam rises
+    /// from the ground, and the function adds the zone next to the support to `zones`. A piece that rests on the
+    /// ground without load has no pressure and needs no proof.
     pub(crate) fn shown_open(
         &self,
         i: usize,
@@ -77,8 +81,8 @@ impl<S: Scalar> Contact<'_, S> {
         let [from, to] = piece.interval;
         let (end, wide) = (piece.interval[side], to - from);
         let inward = if side == 0 { 1.0 } else { -1.0 };
-        // In the exact solution, the ground is open from the point `far` to the point `reach`. The error bound of the
-        // flux at `reach` depends on the distance of the two points.
+        // In the exact solution, beam and ground do not touch between the points `far` and `reach`. The error bound
+        // of the force μu′ in the shear layer at `reach` depends on the distance between these points.
         let far = end + inward * wide * if both { 0.75 } else { 1.0 - 1e-9 };
         let mut part = if both { 0.25 } else { 0.5 };
         for _ in 0..40 {
@@ -95,9 +99,9 @@ impl<S: Scalar> Contact<'_, S> {
         None
     }
 
-    /// Returns an error bound of the flux μu′ at the end of a length of open ground. It follows from the error bound of
-    /// the ground displacement on this length, by (13) of docs/proof.md for constant k and μ, and by (13a) for varying
-    /// k or μ.
+    /// Returns an error bound of the force μu′ in the shear layer at the end of a stretch without contact. The
+    /// stretch has the given `length`. The bound follows from the error bound of the ground displacement u on the
+    /// stretch, by (13) of docs/proof.md for constant k and μ, and by (13a) for varying k or μ.
     fn settlement_flux(&self, i: usize, length: f64) -> Size {
         if !(length > 0.0) {
             return Size::INFINITE;
@@ -115,8 +119,9 @@ impl<S: Scalar> Contact<'_, S> {
         shear * Size::of(factor.high()) * error
     }
 
-    /// Whether the term (μC′)′ of the clearance C exceeds its error bound on an interval of an open piece. `m` is the
-    /// middle of the interval and `r` its half length, in the coordinate of the piece.
+    /// Whether (μC′)′ exceeds its error bound on an interval of an open piece, where C is the clearance and ′ the
+    /// derivative with respect to x. `m` is the middle of the interval and `r` its half length, in the local
+    /// coordinate of the piece.
     fn presses(&self, i: usize, piece: &OpenPiece<S::Coarse>, m: f64, r: f64) -> bool {
         let (span, error) = (&self.fields.frame.spans[i], more(self.bounds[i].pressure));
         match &self.fields.surface.pieces[i].along {
@@ -186,7 +191,7 @@ fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
 /// Returns the slope of the clearance at the local coordinate t of the piece. The slope is positive if the clearance
 /// increases towards the touching end.
 fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
-    // By rounding error, the stored end may lie outside the piece. The exact end of the piece replaces it.
+    // Because of rounding, the stored end of the piece may lie outside the piece. The exact end is used instead.
     let t = if t == piece.interval[side] { piece.ends[side] } else { C::of(t) };
     let [_, settling] = piece.arc.at((t - piece.ends[0]) * piece.half);
     let slope = settling - piece.obstacle[1].value(t);
@@ -210,7 +215,7 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
         if fall(piece, side, near).high() < -gained.value() {
             continue;
         }
-        // Halving the interval cannot help if the slope at its near end violates the limit.
+        // Halving the interval cannot help if the clearance does not decrease faster than `limit` at the end `near`.
         if !(fall(piece, side, near).high() < -limit.value()) {
             return false;
         }

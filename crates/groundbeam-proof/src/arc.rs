@@ -4,8 +4,9 @@ use crate::frame::Span;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Displacement u of the ground on an open piece of length h with the end values u_L and u_R. The distance x is
-/// measured from the left end. With b = √(k/μ) and z = bh,
+/// Displacement u of the ground on an open piece, on which the beam does not touch the ground. The piece has the
+/// length h, and u has the values u_L and u_R at its left and right end. The distance x is measured from the left
+/// end. With b = √(k/μ) and z = bh,
 ///
 /// ```text
 /// u = (u_R − u_L) sinh(bx)/sinh z + u_L cosh(b(h/2 − x))/cosh(z/2).
@@ -35,8 +36,8 @@ impl<C: Scalar> Arc<C> {
         self.decay.square()
     }
 
-    /// Returns a lower bound of u. It is the smaller end value or zero, because u has no negative minimum inside the
-    /// piece.
+    /// Returns a lower bound of the ground displacement u on the piece. It is the smallest of zero and the two end
+    /// values, because u has no negative minimum inside the piece.
     pub fn least(&self) -> f64 {
         let lows = self.ends.map(|u| u.low());
         -Size::below_zero(if lows[0] <= lows[1] { lows[0] } else { lows[1] }).value()
@@ -47,7 +48,8 @@ impl<C: Scalar> Arc<C> {
         self.ends[0].size().max(self.ends[1].size())
     }
 
-    /// Returns u and u′ at a distance x from the left end, with 0 ≤ x ≤ h.
+    /// Returns the ground displacement u and its slope u′ at the distance x from the left end of the piece. x lies
+    /// between 0 and the length h of the piece.
     pub fn at(&self, x: C) -> [C; 2] {
         let two = C::of(2.0);
         let [difference, left] = [self.ends[1] - self.ends[0], self.ends[0]];
@@ -96,7 +98,8 @@ mod tests {
     use crate::units::Units;
     use crate::wide::Wide;
 
-    /// Checks that u lies between the smallest and the largest of the three numbers zero, u_L and u_R.
+    /// Checks the bounds of the ground displacement u on a piece: its lower bound is the smallest of zero and the end
+    /// values, and the bound of |u| is the larger absolute end value.
     #[test]
     fn the_surface_is_bounded_by_its_ends() {
         for (ends, least, most) in [

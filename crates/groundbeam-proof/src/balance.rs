@@ -23,7 +23,8 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Data from which the moment in exact equilibrium is computed: the claimed solution and the cuts of the beam.
+/// Data for computing a moment in exact equilibrium with the loads: the claimed solution, and the nodes that divide
+/// the beam into cells.
 pub(crate) struct Balance<'a, S> {
     pub frame: &'a Frame<S>,
     pub surface: &'a Surface<S>,

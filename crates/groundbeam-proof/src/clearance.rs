@@ -93,8 +93,9 @@ fn above_springs<S: Scalar>(
         let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
-    // If k varies, q/k is not a polynomial. The polynomial q − k(w̄ − g₀) is used instead. It is negative exactly
-    // where the beam penetrates the ground.
+    // If k varies, the quotient of the load q on the ground and k is not a polynomial. The polynomial q − k(w̄ − g₀)
+    // is used instead, with the constructed deflection w̄ and the initial gap g₀. It is negative exactly where the
+    // beam penetrates the ground.
     let stiff = Size::of(span.spring.high());
     let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);

@@ -104,7 +104,8 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// Returns an upper bound of the absolute value of the coefficient on the piece. No coefficient is negative.
+    /// Returns an upper bound of the coefficient on the piece. It also bounds the absolute value, because a
+    /// coefficient is never negative.
     pub fn size(&self) -> f64 {
         self.high()
     }
@@ -131,7 +132,8 @@ fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     (0..=degree).map(control).collect()
 }
 
-/// Converts a profile to a polynomial of t, by de Casteljau's algorithm with s = `line`(t).
+/// Converts the polynomial with the Bernstein coefficients `values` on 0 ≤ s ≤ 1 to a polynomial of the local
+/// coordinate t of a piece, by de Casteljau's algorithm. `line` gives s as a function of t.
 fn in_powers<S: Scalar>(values: &[S], line: &Line<S>) -> Polynomial<S> {
     let line = Polynomial::zero() + line;
     let rest = Polynomial::from_coefficients([S::one()]) - &line;
@@ -152,7 +154,7 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::wide::Wide;
 
-    /// Evaluates a profile at s by Bernstein's formula.
+    /// Evaluates at s the polynomial with the Bernstein coefficients `values` on 0 ≤ s ≤ 1.
     fn course(values: &[f64], s: f64) -> f64 {
         let n = values.len() - 1;
         let mut sum = 0.0;

@@ -51,7 +51,10 @@ impl<S: Scalar> Contact<'_, S> {
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         for i in (first..end).filter(|i| !spans[*i].touches) {
             let [left, right] = self.shown_open(i, &mut shown.zones).ok_or_else(|| {
-                self.failed("the clearance of open ground is too small to exclude contact", i)
+                self.failed(
+                    "the clearance between beam and ground is too small to exclude contact",
+                    i,
+                )
             })?;
             beside[i][1] = left;
             beside[i + 1][0] = right;

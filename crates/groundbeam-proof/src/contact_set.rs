@@ -94,7 +94,8 @@ pub(crate) struct Shown {
     /// The iterations of the proof on a beam with shear deformation, from the first to the last. The list is empty
     /// without shear deformation.
     pub rounds: Vec<Round>,
-    /// The first step of the proof that fails in a layer, and the first step that fails on Winkler ground.
+    /// The first failed step of the proof on ground with a shear layer, and the first failed step on Winkler ground;
+    /// `None` if no step fails.
     pub failed: [Option<NotProven>; 2],
 }
 

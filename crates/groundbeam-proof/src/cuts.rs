@@ -1,4 +1,4 @@
-//! Selects the nodes that divide the beam into cells for the balance: free hinges, and nodes between long lengths of contact.
+//! Divides the beam into cells for the equilibrium correction: at free hinges, and at nodes with long contact on both sides.
 
 use crate::frame::Frame;
 use crate::scalar::Scalar;

@@ -354,7 +354,8 @@ mod tests {
                 if node.clamped {
                     near(if i < 5 { slope(i, 0) } else { slope(4, 1) }, Wide::of(0.0));
                 }
-                // The claimed values that act on the springs of a node are those of an adjacent piece.
+                // The claimed deflection and rotation from which the spring forces at a node follow are those of an
+                // adjacent piece.
                 let [piece, side] = found.felt[i];
                 assert!(piece + side == i && piece < 5);
             }

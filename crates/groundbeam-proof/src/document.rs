@@ -317,11 +317,11 @@ fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
     }
 }
 
-/// Reads the index of a support, a whole number from 0.
+/// Reads the index of a support, 0 or a positive whole number.
 fn index(value: Json) -> Result<usize, JsonError> {
     match value {
         Json::Number(n) if (0.0..1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
-        _ => wrong("`support` must be a whole number from 0"),
+        _ => wrong("`support` must be 0 or a positive whole number"),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The functions that read models and prove answers, for the number types whose operations enclose rounding errors.
+//! Reads models and proves claimed solutions, in the number types whose operations enclose rounding errors.
 //!
 //! These functions are compiled here for each number type. Otherwise every crate that calls them would compile the
 //! whole proof again.
@@ -83,7 +83,7 @@ pub fn read_model<S: Enclosing>(
     S::read(text, combination)
 }
 
-/// Bounds the distance of the answer from the solution of the model.
+/// Bounds the difference between the claimed solution `answer` and the exact solution of the model.
 ///
 /// # Errors
 ///
@@ -92,7 +92,7 @@ pub fn prove<S: Enclosing>(model: &Model<S>, answer: &Answer) -> Result<Proof, N
     S::prove(model, answer)
 }
 
-/// Proves the answer of a document and its other listed numbers.
+/// Proves the claimed solution in a document, and checks the other numbers that the document lists.
 ///
 /// # Errors
 ///

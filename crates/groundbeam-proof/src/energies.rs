@@ -1,7 +1,7 @@
-//! Computes the strain energy and the potential energy of a claimed deflection and its ground, in doubles.
+//! Computes the strain energy and the potential energy of beam and ground in a claimed solution, in double precision.
 //!
-//! The error energy E is compared with these energies. The energies are not bounds, because they contain the
-//! rounding errors of the sums.
+//! The bound of the error energy of the claimed solution is compared with these energies. The energies themselves are
+//! not bounds, because they contain the rounding errors of the sums.
 
 use crate::coefficient::Coefficient;
 use crate::deflection::Deflection;
@@ -15,11 +15,13 @@ use crate::scalar::Scalar;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Energies {
     /// Strain energy: ½∫EI(φ′ − κ₀)² + ½∫EIκ₀² + ½∫S(w′ − φ)² + ½∫|P|w′² + ½b(u, u) plus the energy of springs and
-    /// elastic hinges. φ is the rotation, κ₀ the imposed curvature, and ½b(u, u) the energy of the ground.
+    /// elastic hinges. w is the deflection, φ the rotation, κ₀ the imposed curvature, S the shear stiffness, P the
+    /// axial force, and ½b(u, u) the energy of the ground with the displacement u.
     pub strain: f64,
-    /// Potential energy J: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½∫Pw′² + ½b(u, u) plus the energy of springs and
-    /// hinges, minus the work of the loads. φ is the rotation, κ₀ the imposed curvature, and ½b(u, u) the energy
-    /// of the ground.
+    /// Potential energy J: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½∫Pw′² + ½b(u, u) plus the energy of springs and elastic
+    /// hinges, minus the work of the loads. w is the deflection, φ the rotation, κ₀ the imposed curvature, S the
+    /// shear stiffness, P the axial force (positive in tension), and ½b(u, u) the energy of the ground with the
+    /// displacement u.
     pub potential: f64,
 }
 
@@ -219,7 +221,8 @@ impl<const N: usize> Series<N> {
         series
     }
 
-    /// Returns the derivative with respect to x, by P′ₖ₊₁ = (2k + 1)Pₖ + P′ₖ₋₁. `half` is dx/dt.
+    /// Returns the derivative with respect to x of this series of Legendre polynomials Pₖ(t), by P′ₖ₊₁ = (2k + 1)Pₖ +
+    /// P′ₖ₋₁. `half` is dx/dt.
     fn derivative(&self, half: f64) -> Self {
         let mut derived = Series { len: self.len.saturating_sub(1), ..Self::ZERO };
         let mut above = [0.0; 2];

@@ -1,4 +1,4 @@
-//! Estimates the error energy and the energies of an answer in doubles, without proof. Every solve computes this estimate.
+//! Estimates the error energy and the energies of a solution in double precision, without proof. Every solve computes them.
 
 use crate::answer::Answer;
 use crate::energies::Energies;
@@ -24,13 +24,14 @@ pub struct Estimate {
     pub potential_energy: f64,
 }
 
-/// Estimates the energies of an answer. Under compression, `stability` is the fraction of the convexity of the
-/// energy that remains: 1 minus the compression divided by the critical compression. If `stability` is `None`, the
-/// fraction is computed from supports and stiffness alone.
+/// Estimates the energies of a claimed solution. Under compression, `stability` is the fraction of the convexity of
+/// the energy that remains: 1 minus the compression divided by the critical compression. If `stability` is `None`,
+/// the fraction is computed from supports and stiffness alone.
 ///
 /// # Errors
 ///
-/// Returns the reason why no balanced pressure or no admissible deflection can be constructed from the answer.
+/// Returns the reason why no contact pressure in equilibrium with the loads, or no deflection that satisfies the
+/// conditions at supports and ground, can be constructed from the claimed solution.
 pub fn estimate(
     model: &Model<f64>,
     answer: &Answer,
@@ -45,7 +46,7 @@ pub fn estimate(
         Err(_) => fields.nearly_balanced_energy(ROUNDING * energies.strain)?,
     };
     let restored = |x: f64| frame.units.restored(x, 1, 1);
-    // An energy of exactly zero is stored as a number of at most `TINY`, because sizes are rounded up.
+    // Bounds are rounded up, so the bound of an energy of exactly zero can be a positive number of at most `TINY`.
     let energy = if energy.value() <= TINY { 0.0 } else { energy.value() };
     Ok(Estimate {
         energy: restored(energy),

@@ -92,8 +92,9 @@ impl<S: Scalar> Contact<'_, S> {
 
     /// The lengths at both ends of a piece out of contact on which the exact beam may be in contact.
     fn touched(&self, i: usize) -> Result<[Size; 2], NotProven> {
-        let too_small =
-            || self.failed("the clearance of open ground is too small to exclude contact", i);
+        let too_small = || {
+            self.failed("the clearance between beam and ground is too small to exclude contact", i)
+        };
         let span = &self.fields.frame.spans[i];
         let touches = &self.fields.surface.touches;
         let piece = self.open_piece(i).ok_or_else(too_small)?;

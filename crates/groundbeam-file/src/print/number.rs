@@ -56,7 +56,7 @@ pub fn upper(bound: f64) -> String {
     if nearest.parse().is_ok_and(|shown: f64| shown > bound) {
         return nearest;
     }
-    // The next number with two digits is larger by 0.1 × 10^exponent.
+    // The next number with two significant digits is larger by 0.1 × 10^exponent.
     let exponent = nearest.split_once('e').map_or("0", |(_, exponent)| exponent);
     let step: f64 = format!("0.1e{exponent}").parse().unwrap_or(f64::INFINITY);
     format!("{:.1e}", bound + step)

@@ -1,4 +1,4 @@
-//! Computes the length of the chords that replace settlement troughs, from EI, S, P, k, μ and the loads.
+//! Computes the length of the chords that replace settlement troughs, from the stiffness of beam and ground and the loads.
 
 use super::trough::Trough;
 use groundbeam::{Beam, Load, Model};
@@ -10,7 +10,7 @@ const TOLERANCE: f64 = 1e-3;
 /// from the middle of a trough.
 const PER_WIDTH: f64 = 24.0;
 const NEAR: f64 = 5.0;
-/// Maximum number of chords per beam length for accurate contact edges.
+/// Number of chords per beam length that is always sufficient for accurate contact edges.
 const PER_LENGTH: f64 = 600.0;
 
 /// Required number of chords per unit length, 1/h. Chords of the length h replace the curve of the settlement troughs.
@@ -30,7 +30,7 @@ pub(super) struct Spacing<'a> {
     by_curvature: f64,
     /// Required 1/h for accurate contact edges, divided by the curvature |g″| of the gap. h is the chord length.
     by_corner: f64,
-    /// Upper limit of the number of chords per unit length that accurate contact edges require.
+    /// Number of chords per unit length that is always sufficient for accurate contact edges.
     most_for_corners: f64,
 }
 
@@ -38,7 +38,8 @@ pub(super) struct Spacing<'a> {
 struct Even {
     /// Required 1/h² near the trough, where h is the chord length.
     density: f64,
-    /// Square of the largest distance of the chords from the middle of the trough, in trough widths.
+    /// Square of the ratio d/i, where d is the largest distance from the middle of the trough at which these chords
+    /// are required, and i the trough width.
     reach: f64,
 }
 

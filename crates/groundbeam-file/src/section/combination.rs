@@ -298,10 +298,13 @@ impl<'a> File<'a> {
                 let hint = match set.needed() {
                     Some(action) => {
                         format!(
-                            "add the loads of a case with action = \"{action}\", or leave the set out"
+                            "add the loads of a case with action = \"{action}\", or leave out this set of combinations"
                         )
                     }
-                    None => "the set gives every load the factor 0: leave the set out".to_owned(),
+                    None => {
+                        "the set gives every load the factor 0: leave out this set of combinations"
+                            .to_owned()
+                    }
                 };
                 reader.report(Fault::new(code::MISSING, span, message, "", hint));
             }

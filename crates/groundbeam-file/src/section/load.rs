@@ -19,7 +19,8 @@ use groundbeam::{
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A kind of load: its key, which determines the quantity, and the resulting load of the model.
+/// A kind of load. Its key in the file, such as `point`, determines the physical quantity of its value and the load
+/// of the model that it becomes.
 pub(crate) struct LoadKind {
     pub key: Key,
     /// SI unit of the quantity under this key.
@@ -134,7 +135,7 @@ pub(super) static ON_GROUND: Table = Table {
     ],
 };
 
-/// Returns the first kind that describes a load of the model.
+/// Returns the kind under which `load` is written to a file: the first entry of [`KINDS`] that can describe `load`.
 pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
     let is_distributed = load.extent().is_distributed();
     let same =

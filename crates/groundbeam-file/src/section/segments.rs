@@ -24,9 +24,10 @@ pub(super) struct Body {
 pub(super) struct Segment {
     pub from: f64,
     pub to: f64,
-    /// EI or k.
+    /// EI of a beam segment, or k of a ground segment.
     pub stiffness: Profile,
-    /// S or μ; `None` if the value of the whole beam applies.
+    /// S of a beam segment, or μ of a ground segment; `None` if the value of the table `[beam]` or `[foundation]`
+    /// applies.
     pub second: Option<Profile>,
 }
 
@@ -59,7 +60,7 @@ impl Whole {
         self.given.between(way)
     }
 
-    /// Whether any quantity varies along the whole beam.
+    /// Whether the table `[beam]` or `[foundation]` gives a quantity that is not constant along the beam.
     pub fn varies(&self) -> bool {
         let [a, b] = &self.given.factors;
         let all = [&self.given.product, a, b, &self.second];

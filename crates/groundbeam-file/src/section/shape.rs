@@ -31,13 +31,19 @@ pub(super) static TABLE: Table = Table {
     name: "section",
     keys: &[
         word("shape", &SHAPES, "The shape; default: a rectangle of `width` and `height`."),
-        key("width", SIDE, "The width of a rectangle, box, I or T.").also(ALSO_WIDTH),
-        key("height", SIDE, "The height of a rectangle, box, I or T.").also(&["h", "d", "depth"]),
+        key("width", SIDE, "The width of a rectangle, box, I-section or T-section.")
+            .also(ALSO_WIDTH),
+        key("height", SIDE, "The height of a rectangle, box, I-section or T-section.")
+            .also(&["h", "d", "depth"]),
         key("diameter", SIDE, "The diameter of a circle or tube."),
         key("wall", SIDE, "The wall thickness of a tube or box."),
-        key("flange", SIDE, "The flange thickness of an I or T."),
-        key("web", SIDE, "The web thickness of an I or T."),
-        key("fillet", SIDE, "The fillet radius between web and flanges of an I; default: 0."),
+        key("flange", SIDE, "The flange thickness of an I-section or a T-section."),
+        key("web", SIDE, "The web thickness of an I-section or a T-section."),
+        key(
+            "fillet",
+            SIDE,
+            "The fillet radius between web and flanges of an I-section; default: 0.",
+        ),
         text("name", "IPE 300", "A rolled section: IPE, HEA, HEB, HEM, UB, UC, W, CHS, SHS, RHS.")
             .also(&["profile", "designation"]),
         text("rail", "60E1", "A rolled rail: `60E1`, `UIC60`, `136RE` and others."),
@@ -186,8 +192,8 @@ pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     })
 }
 
-/// Computes a rectangle of the width b and the height h: A = b h and I = b h³/12. Both dimensions may vary
-/// linearly.
+/// Computes the area b h and the second moment of area b h³/12 of a rectangle with the width b and the height h. Both
+/// dimensions may vary linearly.
 fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     reader.refuse_all_but(section, &["shape", "width", "height"]);
     let [width, height] = ["width", "height"].map(|key| side(reader, section, key));
@@ -275,8 +281,8 @@ fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-/// Returns the polynomial of degree 2 with the given values at the fractions [`QUARTERS`]. If its curvature
-/// is only rounding error, returns a linear polynomial.
+/// Returns the polynomial of degree 2 through the first, third and fifth of the values, which belong to the fractions
+/// [`QUARTERS`]. If its curvature is only rounding error, returns a linear polynomial.
 fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     let bend = 2.0 * c - (a + e);
     if bend.abs() <= 16.0 * f64::EPSILON * (a + e) {

@@ -109,7 +109,8 @@ impl Shear {
         }
         match given.resolve(reader, &parent.given, &keys) {
             Stiffness::NotGiven => None,
-            // A section alone does not request shear deformation.
+            // If neither G nor Poisson's ratio is given, the shear area of the cross-section alone does not add shear
+            // deformation.
             Stiffness::Half(1, _) if !self.says_area => None,
             known => Some(reader.settle(known, table, &keys)),
         }

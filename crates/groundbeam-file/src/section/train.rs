@@ -138,7 +138,8 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     MovingTrain { name, set, case, factor, dynamic, spread, train, range }
 }
 
-/// Reads the axles and the distributed loads of a train, from a set or as written in the file.
+/// Reads the axles and the distributed loads of a train, either from the built-in train set that the table names, or
+/// from the lists in the table.
 fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
     let mut train = Train::default();
     let Some(set) = table.value("set") else {

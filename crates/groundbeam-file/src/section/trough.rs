@@ -67,7 +67,8 @@ impl Trough {
         self.settlement * (-0.5 * t * t).exp()
     }
 
-    /// Positions at which the density of chords is sampled, symmetric about the middle of the trough.
+    /// Returns positions along the beam, symmetric about the middle of the trough. The required number of chords per
+    /// unit length is computed midway between neighbouring positions.
     fn grid(&self) -> impl Iterator<Item = f64> {
         let steps = (REACH / STEP) as i32;
         let Trough { at, width, .. } = *self;

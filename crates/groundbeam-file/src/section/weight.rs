@@ -64,7 +64,7 @@ pub(super) fn read(
         let (message, hint) = match area {
             None => (
                 "the area of the beam's section is not known everywhere",
-                "give `section` instead of `EI` or `I`, or the weight as a distributed load",
+                "give `section` instead of `EI` or `I`; or give the weight as a distributed load",
             ),
             Some(area) if area.profile.control_values().len() > 2 => (
                 "the area of the beam's section does not vary linearly",

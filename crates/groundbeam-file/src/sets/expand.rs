@@ -31,8 +31,8 @@ pub(crate) struct TooMany;
 pub(crate) struct Made {
     /// Name of the combination, such as `6.10: 1.35 G + 1.5 Q + 0.9 W`.
     pub name: String,
-    /// Indices of the load cases with a nonzero factor, each with its factor, in the order in which the name
-    /// lists them.
+    /// Indices of the load cases with a nonzero factor, each with its factor. They have the order of the load cases
+    /// in the name of the combination.
     pub factors: Vec<(usize, f64)>,
     pub limit_states: LimitStates,
 }
@@ -215,8 +215,8 @@ impl Expansion<'_> {
         if must { Ok(()) } else { self.variable(others, false, chosen) }
     }
 
-    /// Combines all non-empty subsets of the cases of one action, because several cases may have this
-    /// action.
+    /// Generates the combinations in which an action acts, for each non-empty subset of the load cases of this
+    /// action. A load case is left out if another load case of its group has been chosen.
     fn subsets(
         &mut self,
         cases: &[usize],

@@ -71,7 +71,7 @@ pub enum Distribution {
 /// Correlation of two random numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joined {
-    /// Indices of the two random numbers, from 0.
+    /// Zero-based indices of the two correlated random numbers.
     pub of: [usize; 2],
     /// Correlation of the normal scores of the two numbers.
     pub rho: f64,

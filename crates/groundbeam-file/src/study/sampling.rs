@@ -87,7 +87,7 @@ impl Plan {
         Plan { samples: samples.unwrap_or(self.samples), seed: seed.unwrap_or(self.seed), ..self }
     }
 
-    /// Returns the fault in the number of samples, if any.
+    /// Returns a message that explains why the number of samples is invalid; `None` if it is valid.
     pub fn problem(&self) -> Option<String> {
         let Plan { samples, replicates, .. } = *self;
         if !(1..=MOST_SAMPLES).contains(&samples) {

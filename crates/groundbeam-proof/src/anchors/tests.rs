@@ -95,8 +95,9 @@ fn pressures_are_bounded_within_the_piece_only() {
     }
 }
 
-/// The loads exceed the claimed pressure and the claimed reactions by a quarter. The proof therefore changes pressures
-/// and reactions by a quarter of their values, and the lower bounds are ¾ of the claimed values.
+/// The total load is a quarter larger than the resultant of the claimed pressure, or than that of the claimed
+/// reactions. The relative correction of pressure and reactions is therefore ¼, and their lower bounds are ¾ of the
+/// claimed values.
 #[test]
 fn redistributed_pressures_and_reactions_keep_their_share() {
     let springs = "[[support]]\nat = 0\ntype = 'pinned'\nacts = 'up'\n[[support]]\nat = 2\ntype = 'pinned'\nacts = 'up'\n\

@@ -154,7 +154,8 @@ impl Open {
         OpenPiece::of(&span, self.ends.map(Wide::of), None, [Size::ZERO; 3])
     }
 
-    /// Returns the clearance C at t and its derivative C′ with respect to x.
+    /// Returns the clearance C at the local coordinate t of the piece, and its derivative dC/dx, where x is the
+    /// position along the beam.
     fn clearance(&self, t: f64) -> [f64; 2] {
         let b = (self.ground[0] / self.ground[1]).sqrt();
         let (half, whole) = (0.5 * self.length, (b * self.length).sinh());
@@ -267,9 +268,9 @@ fn piece(ends: [f64; 2], touches: bool, w: &[f64]) -> Value {
     json!({"x": ends, "half": 0.5 * (ends[1] - ends[0]), "touches": touches, "deflection": w})
 }
 
-/// The deflection is w = 3 − 2x. Contact ends at x = 1, and the open ground to the right has the displacement
-/// u = exp(2 − 2x). So μ(u − w)″ = 2 at x = 1. The error bound of the flux is (13) of docs/proof.md with the open
-/// length L = ½.
+/// The deflection is w = 3 − 2x, with contact up to x = 1. To the right, the ground without contact has μ = ½, k = 2
+/// and the displacement u = exp(2 − 2x), so μ(u − w)″ = 2 at x = 1. The error bound of the force μu′ in the shear
+/// layer is (13) of docs/proof.md with the length L = ½ of ground without contact.
 #[test]
 fn the_error_of_an_edge_follows_from_the_errors_of_slope_and_settlement() {
     let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n";

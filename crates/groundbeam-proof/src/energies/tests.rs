@@ -72,7 +72,7 @@ fn agree(model: &Model<f64>, document: &Value, [strain, curled, axial, work]: [f
     }
 }
 
-/// Checks a beam in contact with a layer along its whole length, with every kind of load and support.
+/// Checks a beam that touches ground with a shear layer along its whole length, with every kind of load and support.
 #[test]
 fn the_energies_of_a_beam_in_contact_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\naxial_force = 0.5\n[[beam.segment]]\nfrom = 1\nto = 2\nEI = [2, 4]\n\
@@ -193,7 +193,8 @@ fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
         &document,
         [strain, 0.0, 0.0, work],
     );
-    // With bending and shear deformation, the beam has w = 1 − x², φ = −x, S = 4 and P = −0.5.
+    // With bending and shear deformation, the beam has the deflection w = 1 − x², the rotation φ = −x, the shear
+    // stiffness S = 4 and the axial force P = −0.5 (compression).
     document["pieces"][0]["deflection"] = json!([0, -2, -1]);
     document["pieces"][0]["rotation"] = json!([-1, -1]);
     let beam = beam.replace("EI = 3", "EI = 3\nshear_stiffness = 4\naxial_force = -0.5");
@@ -208,9 +209,10 @@ fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
     );
 }
 
-/// Checks a layer from x = 1 to 5 beside Winkler ground. The beam touches the ground up to x = 2, from 3 to 3.5,
-/// and under the force at 4.5. The ground is open elsewhere and carries a force at x = 2.5. The open surface is
-/// u = q/k + v between given end values.
+/// Checks ground with a shear layer from x = 1 to 5, and Winkler ground from x = 0 to 1. The beam touches the ground
+/// up to x = 2, from 3 to 3.5, and under the force at 4.5. A distributed load q acts on the ground of the layer, and
+/// a point force at x = 2.5. Where the beam does not touch the layer, the ground displacement is u = q/k + v with a
+/// solution v of μv″ = kv, and u has given values at the ends of each such stretch.
 #[test]
 fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     let (k, mu, b) = (2.0, 0.5, 2.0_f64);
@@ -261,9 +263,10 @@ fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     agree(&model(text, [[2.0; 2], [0.0; 2]]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Checks a layer that the beam does not touch. A distributed load acts along the beam, point forces act at x = 1
-/// and at the right end, and forces act on the ground outside the beam. u and u′ at the right end follow from u at
-/// the left end and from the flux of the ground outside the left end.
+/// Checks ground with a shear layer that the beam does not touch. A distributed load acts on the ground along the
+/// beam, point forces act on the ground at x = 1 and at the right end, and further forces act on the ground outside
+/// the beam. The ground displacement u and its slope u′ at the right end follow from u at the left end and from the
+/// force μu′ in the layer just outside the left end.
 #[test]
 fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\n\
