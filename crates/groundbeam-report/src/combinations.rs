@@ -87,8 +87,9 @@ pub(crate) fn bound_of_extreme(
     (error, leads)
 }
 
-/// Error bounds of the smallest and of the largest value of a field over all combinations, just to the left and
-/// just to the right of `x`.
+/// Returns two error bounds: for the smallest and for the largest value of a field at `x` over all
+/// combinations. Each bound takes the values on both sides of `x` into account. `printed` contains the smallest
+/// and the largest value.
 pub(crate) fn bounds_at(solved: &[Numbered], field: Field, x: f64, printed: [f64; 2]) -> [f64; 2] {
     [false, true].map(|is_max| {
         let sides = solved.iter().flat_map(|row| {

@@ -104,8 +104,9 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
 }
 
 /// Returns a CSV table of the envelope of passages at the given sections, with the columns of [`envelope`].
-/// The governing columns contain the position of the first axle. With several passages, the columns
-/// `deflection_in_min, deflection_in_max` contain the passage.
+/// Columns such as `deflection_governs_min` contain the position of the train's first axle at which the
+/// extreme value occurs. With several passages, additional columns such as `deflection_in_min` contain the
+/// label of the passage in which it occurs.
 pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let place = units.column(Kind::Position);
     let labels: Vec<String> = passages.all.iter().map(Passage::label).collect();

@@ -18,7 +18,7 @@ pub(crate) struct Extremes {
     pub ends: [End; 2],
 }
 
-/// An extreme value. A value that is only rounding error is zero.
+/// An extreme value of a field. It is stored as 0 if its magnitude does not exceed the rounding error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct End {
     pub value: f64,

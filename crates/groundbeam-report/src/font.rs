@@ -22,7 +22,7 @@ impl Metrics {
         Metrics { face: Face::parse(REGULAR, 0).ok() }
     }
 
-    /// Width of a line of text with a font size.
+    /// Width of a line of text at the given font size.
     pub fn width(&self, text: &str, size: f64) -> f64 {
         size * text.chars().map(|c| self.advance(c)).sum::<f64>()
     }

@@ -104,8 +104,9 @@ impl<'a> Numbers<'a> {
         if self.have_bounds() { not_proven(&place) } else { place }
     }
 
-    /// Formats the position of the largest gap in a lift-off zone. The proof bounds only the position of the
-    /// largest gap under the whole beam.
+    /// Formats the position of the largest gap in one lift-off zone. The proof bounds only the position of
+    /// the largest gap under the whole beam. In every other zone, the position is formatted without a proven
+    /// bound.
     pub fn place_of_gap(&self, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let largest = |e: &PlacedExtreme| e.field == Field::Gap.name() && e.is_max && e.listed == x;

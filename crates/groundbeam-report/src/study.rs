@@ -57,7 +57,7 @@ pub struct Estimate {
 /// A limit of a quantity.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Limit {
-    /// Name of the quantity that has the limit. It is also the name of the distribution of the quantity.
+    /// Name of the limited quantity. The distribution of its values in the study has the same name.
     pub quantity: String,
     /// Whether the event occurs above the limit. Otherwise the event occurs below the limit.
     pub above: bool,

@@ -220,7 +220,9 @@ impl Say<'_> {
         let (place, compression) =
             (self.units.position(at), self.force(-self.model.beam.axial_force));
         if critical_compression == 0.0 {
-            return format!("the beam can rotate or rise at x = {place} under any compression");
+            return format!(
+                "even the smallest compression makes the beam rotate or rise at x = {place}"
+            );
         }
         let critical = self.force(critical_compression);
         format!(

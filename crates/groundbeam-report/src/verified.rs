@@ -18,12 +18,12 @@ pub struct Verified {
     pub results: Vec<Named>,
 }
 
-/// Combinations of a model file that a document does not contain.
+/// Combinations of a model file for which the result document contains no result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
-    /// Number of combinations of the file.
+    /// Number of all combinations of the model file.
     pub all: usize,
-    /// Names of the combinations of the model file that the document does not contain.
+    /// Names of the combinations of the model file for which the result document contains no result.
     pub names: Vec<String>,
 }
 
@@ -75,9 +75,9 @@ impl Named {
         listed.map_or(f64::INFINITY, |ends| ends[end])
     }
 
-    /// Error bound of the lifted share: the sum of the errors of all contact edges, divided by l, plus the
-    /// rounding error. The rounding error of the sum of n lengths and of the quotient by l is at most
-    /// (n + 8)·2⁻⁵² of the share.
+    /// Error bound of the lifted share, which is the total length of the lift-off zones divided by the beam
+    /// length l. The error bound is the sum of the error bounds of all contact edges, divided by l, plus the
+    /// rounding error. For n lift-off zones, the rounding error is at most (n + 8)·2⁻⁵² of the lifted share.
     pub(crate) fn error_of_lifted_share(&self, solution: &Solution) -> f64 {
         let Ok(found) = &self.found else { return f64::INFINITY };
         let length = solution.model().beam.length;

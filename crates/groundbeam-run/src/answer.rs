@@ -185,7 +185,7 @@ pub struct Ground {
     pub constants: GroundConstants,
     /// The soil data, and the method that converts them to constants of the ground.
     pub soil: Option<SoilModel>,
-    /// The iterations that computed the constants from the soil data.
+    /// Data of the iteration that computed the ground constants k and μ from the soil data.
     pub rounds: Option<SoilRounds>,
 }
 

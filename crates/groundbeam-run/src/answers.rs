@@ -1,4 +1,4 @@
-//! All answers to a model file as a labelled list, and joint results such as envelopes.
+//! All results of a model file as a labelled list, and joint results such as envelopes.
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
@@ -23,7 +23,7 @@ pub enum Asked {
     Methods,
 }
 
-/// The answers to a file.
+/// The results of all models that a model file defines.
 #[derive(Debug, Clone)]
 pub struct Answers {
     /// The kind of request.
@@ -56,23 +56,24 @@ impl Alone {
 }
 
 impl Answers {
-    /// The answers that are solved, with their solutions.
+    /// The answers that contain a solution, each with this solution.
     pub fn solved(&self) -> impl Iterator<Item = (&Answer, &Solution)> {
         self.list.iter().filter_map(|answer| Some((answer, answer.solution()?)))
     }
 
-    /// The envelope of the solved answers. It names the governing answer by its index in [`Answers::solved`].
+    /// The envelope over all answers that contain a solution. It names the governing answer by its index in
+    /// [`Answers::solved`].
     pub fn envelope(&self) -> Envelope<'_> {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
 
-    /// Limit states of the solved answers; empty if no combination names a limit state.
+    /// Limit states of the answers that contain a solution; empty if no combination names a limit state.
     pub fn limit_states(&self) -> LimitStates {
         let each = self.solved().map(|(answer, _)| answer.label.combination.limit_states);
         each.fold(LimitStates::NONE, LimitStates::and)
     }
 
-    /// The solved answers of a limit state.
+    /// The answers of a limit state that contain a solution, each with this solution.
     pub fn of_limit_state(&self, state: LimitState) -> impl Iterator<Item = (&Answer, &Solution)> {
         self.solved().filter(move |(answer, _)| answer.is_of(state))
     }

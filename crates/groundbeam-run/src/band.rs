@@ -3,15 +3,16 @@
 use crate::answers::Answers;
 use groundbeam::{Field, envelope::Envelope, solution::ByField};
 
-/// A value for the best estimates of k and μ, with its range over all solved pairs of k and μ.
+/// An extreme value of a field for the best estimates of k and μ, with its range over all solved pairs of k
+/// and μ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Banded {
     /// Value for the best estimates of k and μ.
     pub best: f64,
-    /// Smallest value over all solved pairs of k and μ.
+    /// Smallest of the extreme values that result from the solved pairs of k and μ.
     pub low: f64,
-    /// Largest value over all solved pairs of k and μ.
+    /// Largest of the extreme values that result from the solved pairs of k and μ.
     pub high: f64,
 }
 

@@ -23,8 +23,8 @@ pub struct Run {
     options: Options,
     growing: Option<Growing>,
     error: f64,
-    /// Whether train loads of unlimited length are tried in several placements. If so, each named combination
-    /// is also solved without a train.
+    /// Whether a train with loads of infinite length is solved once for each of several placements of these
+    /// loads. If so, each named combination is also solved without a train.
     placed_loads: bool,
 }
 
@@ -206,12 +206,11 @@ impl Run {
         Answers { asked: self.asked, list, alone, ground, swept }
     }
 
-    /// Returns the passages to solve, each as a combination and a train. If `placed_loads` is true, three rules
-    /// apply:
+    /// Returns the combinations and trains to solve, in pairs. If `placed_loads` is true, three rules apply:
     ///
     /// * The combination's factor for the load case of a train multiplies the loads of the train.
-    /// * Each placement of the train loads of unlimited length is a separate passage.
-    /// * Each named combination also has a passage without a train.
+    /// * A train with loads of infinite length is returned once for each placement of these loads.
+    /// * If there are trains, each named combination is also paired with a train that has no loads.
     fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
         let mut ways = Vec::new();
         for combination in &self.combinations {

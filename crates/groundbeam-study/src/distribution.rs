@@ -77,8 +77,9 @@ mod tests {
         }
     }
 
-    /// Tests the mean and the deviation of every distribution. The moments are integrated over z by the trapezoidal
-    /// rule. The error of this rule is below rounding error for smooth functions times exp(−z²/2).
+    /// Tests the mean and the standard deviation of every distribution. The moments are integrated over the
+    /// standard normal variable z by the trapezoidal rule. The error of this rule is below rounding error for
+    /// smooth functions times exp(−z²/2).
     #[test]
     fn every_distribution_has_the_given_mean_and_deviation() {
         let step = 0.01;

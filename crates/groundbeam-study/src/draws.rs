@@ -109,7 +109,8 @@ impl Draws {
         self.dimensions
     }
 
-    /// Fraction of the variance of the random fields in the kept terms of their expansion; `None` without fields.
+    /// Fraction of the variance of the random fields that the kept terms of their series expansion represent;
+    /// `None` without random fields.
     pub fn variance(&self) -> Option<f64> {
         self.field.as_ref().map(Field::variance)
     }
@@ -135,8 +136,9 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // The first normal numbers, which are distributed most uniformly, belong to the first and largest term of
-        // each field. The next numbers belong to the second terms, and so on.
+        // Over all samples, the first of the standard normal numbers are distributed most evenly. They are
+        // therefore used for the first and largest term in the series of each random field, the next numbers for
+        // the second terms, and so on.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))

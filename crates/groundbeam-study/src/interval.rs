@@ -9,8 +9,8 @@ const CONFIDENCE: f64 = 0.95;
 /// Computes Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence
 /// level. The lower end belongs to `low` events in `total` samples, and the upper end to `high` events.
 pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
-    // The lower end is the probability below which `low` or more events are too improbable. The upper end is the
-    // probability above which `high` or fewer events are too improbable.
+    // At the lower end of the interval, the probability of `low` or more events is (1 − `CONFIDENCE`)/2. At the
+    // upper end, the probability of `high` or fewer events has this value.
     let lower = least_odds(low, total).map_or(0.0, |odds| odds / (1.0 + odds));
     let upper = least_odds(total - high, total).map_or(1.0, |odds| 1.0 / (1.0 + odds));
     Interval { bounds: [lower, upper], by: Way::Counts }

@@ -181,7 +181,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Solves all samples of `todo` on this number of threads, and reports the number of solved samples to `watch`.
+    /// Solves all samples of `todo` on `threads` threads, and reports the number of solved samples to `watch`.
     fn on(
         &self,
         threads: usize,

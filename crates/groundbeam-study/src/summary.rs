@@ -1,4 +1,4 @@
-//! Computes probabilities with intervals, means, deviations and quantiles from all samples of a study.
+//! Computes probabilities with confidence intervals, means, standard deviations and quantiles from the samples of a study.
 
 use crate::draws::Draws;
 use crate::interval::{of_counts, of_replicates};
@@ -70,7 +70,7 @@ pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, St
     })
 }
 
-/// A quantity that has one value in every sample.
+/// A quantity with exactly one number per sample.
 struct Number {
     name: String,
     kind: Option<Kind>,
@@ -264,7 +264,8 @@ impl Happening {
     }
 }
 
-/// Computes means, deviations and quantiles of the given quantities in two more passes over the file.
+/// Computes means, standard deviations and quantiles of the given quantities in two more passes over the
+/// file.
 fn spreads(
     whole: &Whole,
     numbers: Vec<Number>,

@@ -10,10 +10,11 @@ mod module;
 
 use groundbeam_proof::{Ball, Document, Enclosing, Log, Wide, read_model, verify_and_log};
 
-/// Returns the solution of the model in a document, and one proof of the document with its log for each arithmetic.
+/// Returns the solution of the model in a result document, and two proofs of this document with their logs. One
+/// proof is computed in the number type `Wide`, and the other proof in the number type `Ball`.
 ///
 /// The input has three parts separated by zero bytes: the text of the model file, the name of the load combination
-/// or nothing, and the document of one result.
+/// (which may be empty), and the document of one result.
 pub fn results(input: &str) -> String {
     let parts: Vec<&str> = input.split('\0').collect();
     let [file, combination, document] = parts[..] else {

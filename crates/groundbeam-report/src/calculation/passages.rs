@@ -68,10 +68,10 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
 
 fn overall(passages: &Passages) -> Verdict {
     let count: usize = passages.all.iter().map(|passage| passage.solved().count()).sum();
-    let solved = format!("in all {count} positions that were solved");
+    let solved = format!("at each of the {count} solved train positions");
     let (tone, head, words) = match passages.overall() {
         Overall::NoEquilibrium => {
-            ("bad", "No equilibrium", "in some positions of a train".to_owned())
+            ("bad", "No equilibrium", "at some positions of a train".to_owned())
         }
         Overall::NotConverged => {
             ("bad", "Not solved", "some positions have no certified result".to_owned())

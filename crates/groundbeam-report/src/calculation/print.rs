@@ -31,7 +31,7 @@ fn greek(word: &str) -> String {
     }
 }
 
-/// Typesets the minus sign and the power of ten in a word.
+/// Returns the text of a number or of a table cell with typeset minus signs and powers of ten.
 pub(super) fn cell(word: &str) -> String {
     let mut printed = String::with_capacity(word.len());
     let letters: Vec<char> = word.chars().collect();

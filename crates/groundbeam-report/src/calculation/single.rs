@@ -131,7 +131,7 @@ pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
         (all, failed) => format!("{failed} of {all} fail"),
     };
     if undecided > 0 {
-        words += &format!("; {undecided} undecided within the bound");
+        words += &format!("; {undecided} undecided, because the limit is within the error bound");
     }
     if unjudged > 0 {
         words += &format!("; {unjudged} not judged");

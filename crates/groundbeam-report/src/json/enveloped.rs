@@ -31,8 +31,9 @@ struct OfState<G, E> {
 }
 
 impl<G, E> Enveloped<G, E> {
-    /// Computes the envelopes. `of` returns the envelope and the extremes of a limit state, or of all results
-    /// for `None`. `of` returns `None` if no result is solved.
+    /// Computes the envelopes. `of(Some(state))` returns the envelope and the extremes over the results of
+    /// this limit state, and `of(None)` returns those over all results. `of` returns `None` if none of these
+    /// results contains a solution.
     pub fn new(
         states: LimitStates,
         of: impl Fn(Option<LimitState>) -> Option<(Along<Lines<G>>, ByName<E>)>,

@@ -13,7 +13,8 @@ pub(super) const LEFT: f64 = 86.0;
 /// Width of the right margin.
 const BESIDE: f64 = 24.0;
 
-/// Ratio of the drawn margin to the distance of the farthest object outside the beam.
+/// The ground is drawn beyond each end of the beam for at least this multiple of the distance between the
+/// beam and the farthest object outside the beam.
 pub(super) const ROOM: f64 = 1.15;
 /// Possible widths of the ground drawn beyond each end of the beam, relative to the beam length, if objects
 /// lie outside the beam.

@@ -304,7 +304,7 @@ impl GroundLoads<'_> {
         }
     }
 
-    /// Labels a load outside the picture at the edge of the picture.
+    /// Draws a label at the left or right edge of the picture for a load that lies beyond this edge.
     fn at_the_edge(&self, canvas: &mut Canvas, at: f64, words: &str, labels: &mut Labels) {
         let unit = self.units.unit(Kind::Position, at);
         let words = printed(&match at < 0.0 {

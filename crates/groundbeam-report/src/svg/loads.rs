@@ -187,8 +187,8 @@ impl Loads<'_> {
                 places.push(Place { x: left, baseline: top - rise });
             }
         }
-        // The last positions of the label lie beside the ends of the load, in case arrows occupy the space
-        // above the load.
+        // The label positions that are tried last lie beside the ends of the load. They are used if arrows
+        // occupy the space above the load.
         let level = |x: f64| (self.top)(x) - base - 4.0;
         places.push(Place { x: self.frame.x(to) + 6.0, baseline: level(to) });
         places.push(Place { x: self.frame.x(from) - 6.0 - width, baseline: level(from) });
@@ -259,7 +259,7 @@ impl Loads<'_> {
         // The arrow of a moment is wider than that of a force, so its label needs a larger distance.
         places.push(Place { x: x + RADIUS + 8.0, baseline: y + 8.0 });
         places.push(Place { x: x - RADIUS - 8.0 - width, baseline: y + 8.0 });
-        // The last positions of the label lie below the beam.
+        // The label positions that are tried last lie below the beam.
         for drop in [44.0, 58.0] {
             places.push(Place { x: x - 0.5 * width, baseline: y + drop });
         }

@@ -115,7 +115,7 @@ fn nodes(model: &Model) -> Vec<f64> {
     nodes
 }
 
-/// SVG shear transform that reverses a motion that is linear in x.
+/// Returns the SVG skew transform that reverses the vertical displacement `rises`, which is linear in x.
 fn laid_back(frame: &Frame, rises: impl Fn(f64) -> f64) -> String {
     let [start, end] = [frame.x(0.0), frame.x(frame.length)];
     let slope = (rises(frame.length) - rises(0.0)) / (end - start);

@@ -12,7 +12,7 @@ pub(crate) fn rows(sheet: &mut Sheet, certificate: &Certificate, verdict: Verdic
     let gap = order(certificate.relative_gap());
     sheet.item("energy gap", &format!("{gap} of the strain energy, an estimate of the error"));
     if let Verdict::Local(_) = verdict {
-        let words = "the energy gap measures the error of this equilibrium only; other equilibria far from it may exist";
+        let words = "the energy gap measures the error of this solution only; other equilibria far from this solution may exist";
         sheet.item("reach", words);
     }
 }
@@ -61,6 +61,6 @@ Certificate  recomputed from model and result by independent code
     fn the_text_of_a_local_equilibrium_mentions_other_equilibria() {
         let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
         let text = written(Verdict::Local(local)).replace("\n                         ", " ");
-        assert!(text.contains("other equilibria far from it may exist"), "{text}");
+        assert!(text.contains("other equilibria far from this solution may exist"), "{text}");
     }
 }

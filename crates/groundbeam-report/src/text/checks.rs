@@ -155,7 +155,9 @@ fn judged_in_words(
         Judgement::Passes(false) => ("fails", Tone::Bad),
         Judgement::Proven(true) => ("proven to pass", Tone::Good),
         Judgement::Proven(false) => ("proven to fail", Tone::Bad),
-        Judgement::Undecided => ("undecided within the bound", Tone::Doubtful),
+        Judgement::Undecided => {
+            ("undecided, because the limit is within the error bound", Tone::Doubtful)
+        }
     };
     (format!("{said}: {verdict}{}", beside(check, solution, numbers)), tone)
 }

@@ -1,4 +1,4 @@
-//! Writes the extremes of several answers in four columns, one row for each answer.
+//! Writes extremes of fields in four columns, one row for each combination or train passage.
 
 use super::COLUMNS;
 use super::sheet::Sheet;
@@ -38,7 +38,7 @@ impl Columns {
         columns
     }
 
-    /// The row of an answer.
+    /// Returns the row with the extremes of one combination or train passage.
     pub fn row(&self, first: &str, values: &[Option<f64>; 4]) -> String {
         let cell = |column: usize| match values[column] {
             Some(value) => self.units[column].number(value),

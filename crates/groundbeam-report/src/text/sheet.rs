@@ -67,7 +67,7 @@ impl Sheet {
         self.entries.push(Entry::Blank);
     }
 
-    /// Adds a paragraph that begins at the left edge.
+    /// Adds a heading, which begins at the left edge of the page.
     pub fn heading(&mut self, words: &str) {
         self.entries.push(Entry::Heading(printable(words).into_owned()));
     }

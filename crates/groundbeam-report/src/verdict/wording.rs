@@ -1,4 +1,4 @@
-//! Name, words and tone of each verdict on equilibrium.
+//! Name, short texts and tone (good, doubtful or bad) of each verdict on equilibrium.
 
 use crate::tone::Tone;
 use groundbeam::Verdict;
@@ -7,7 +7,8 @@ use groundbeam::Verdict;
 pub(crate) struct Wording {
     /// Name of the verdict in documents.
     pub name: &'static str,
-    /// The verdict in a few words, such as `exactly one`. A sentence with the reason follows these words.
+    /// The verdict in a few words, such as `exactly one`. The reason for the verdict is printed after these
+    /// words.
     pub words: &'static str,
     /// Words for the verdict in a cell of a narrow table.
     pub short: &'static str,

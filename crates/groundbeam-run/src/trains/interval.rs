@@ -5,8 +5,8 @@ use groundbeam::model::Train;
 use groundbeam::{Field, solution::ByField};
 use std::borrow::Borrow;
 
-/// Fields on both sides of an axle, interpolated at the fraction t between two solved positions. `None` if the
-/// axle is off the beam.
+/// Fields on both sides of an axle, interpolated at the fraction t between two train positions that were
+/// solved. `None` if the axle is off the beam.
 fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
     let (start, end) = (start?.leaving(), end?.arriving());

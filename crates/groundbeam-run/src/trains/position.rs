@@ -91,7 +91,7 @@ impl Under {
     }
 }
 
-/// Number of equal steps of the range of positions in the first round.
+/// Number of equal steps into which the range of train positions is divided in the first round.
 pub(crate) const EVEN_STEPS: usize = 32;
 
 /// Initial positions of the train's first axle. They are the ends of equal steps, and the positions at which an axle

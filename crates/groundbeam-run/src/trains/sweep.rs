@@ -15,17 +15,19 @@ use groundbeam::{
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 
-/// Number of equal steps along the beam at whose ends the fields of different positions are compared.
+/// Number of equal steps along the beam. At the ends of these steps, the fields for different train positions
+/// are compared.
 const EVEN_STATIONS: usize = 96;
-/// Intervals shorter than this fraction of the beam's length are not bisected.
+/// Intervals between train positions are not bisected if they are shorter than this fraction of the beam's
+/// length.
 const SHORTEST: f64 = 1e-5;
-/// Intervals of which one end has no solution are not bisected if they are shorter than this fraction of the
-/// beam's length. Fields may grow without limit near the position at which the beam tips.
+/// Replaces [`SHORTEST`] for intervals between train positions that have no solution at one end. Fields may
+/// grow without limit near the train position at which the beam tips.
 const SHORTEST_AT_EDGE: f64 = 1e-3;
-/// Number of solved positions above which no interval is bisected.
+/// Number of solved train positions above which no interval is bisected.
 const MOST: usize = 20_000;
 
-/// An interval between two neighbouring positions.
+/// An interval between two neighbouring positions of the train.
 #[derive(Debug, Clone, Copy)]
 struct Between {
     /// Error of the envelope for each field, relative to the scale of the field. The error is measured in the middle

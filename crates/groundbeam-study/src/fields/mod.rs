@@ -1,4 +1,4 @@
-//! Computes normal random fields along the beam from independent standard normal numbers.
+//! Computes Gaussian random fields along the beam from independent standard normal random numbers.
 
 mod circulant;
 mod karhunen_loeve;
@@ -54,7 +54,7 @@ impl Field {
         }
     }
 
-    /// Fraction of the variance of the field in the kept terms of its expansion.
+    /// Fraction of the variance of the field that the kept terms of its series expansion represent.
     pub fn variance(&self) -> f64 {
         match self {
             Field::KarhunenLoeve(expansion) => expansion.variance(),

@@ -2,10 +2,10 @@
 
 use super::mixed;
 
-/// Number of rounds of the Feistel network on numbers of many bits. With four or more rounds the network is a
-/// pseudorandom permutation (Luby and Rackoff 1988).
+/// Smallest number of rounds of the Feistel network that permutes the sample indices. With four or more
+/// rounds the network is a pseudorandom permutation (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// The Feistel network mixes a number of 2h bits in `MORE_ROUNDS`/h additional rounds. One round mixes only few
+/// The Feistel network mixes an index of 2h bits in `MORE_ROUNDS`/h additional rounds. One round mixes only few
 /// bits of a short number, so short numbers need more rounds.
 const MORE_ROUNDS: u32 = 24;
 

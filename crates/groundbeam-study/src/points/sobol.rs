@@ -1,4 +1,4 @@
-//! Computes Sobol's sequence with the direction numbers of Joe and Kuo and Owen's scrambling.
+//! Computes Sobol's sequence with the direction numbers of Joe and Kuo, scrambled by Owen's method.
 
 use super::mixed;
 use std::sync::LazyLock;
@@ -52,8 +52,8 @@ impl Sobol {
         Sobol { dimensions: dimensions.min(DIRECTIONS.len()) }
     }
 
-    /// Computes a coordinate of point `index`, scrambled by the key. `uniform` determines the digits after the
-    /// first 32.
+    /// Computes a coordinate of point `index`. Its first 32 binary digits are those of the Sobol point,
+    /// scrambled with the key. The random number `uniform` between 0 and 1 supplies the further digits.
     pub fn coordinate(&self, dimension: usize, index: u64, key: u64, uniform: f64) -> f64 {
         if dimension >= self.dimensions {
             return uniform;

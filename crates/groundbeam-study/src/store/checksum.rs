@@ -128,7 +128,7 @@ impl Checksums {
         Ok(Checksums { path: path.to_owned(), file, blocks, verified })
     }
 
-    /// Whether a block is unchanged. An unchanged block is read only once.
+    /// Whether the contents of a block match its checksum. A block that matched once is not read again.
     pub fn is_sound(&self, block: usize) -> Result<bool, StoreError> {
         let Some(Block { bytes, digest }) = self.blocks.get(block) else { return Ok(false) };
         if self.verified.borrow()[block] {

@@ -120,7 +120,8 @@ impl Column {
         Column { definitions, ..Column::empty(Values::Numbers(values)) }
     }
 
-    /// A column of lists of numbers; `None` is omitted.
+    /// Creates a column of lists of numbers, with one row for each entry of `lists`. `None` becomes a row
+    /// without a list (a null value).
     pub fn lists<'a>(lists: impl Iterator<Item = Option<&'a [f64]>>) -> Self {
         let mut values = Vec::new();
         let (mut definitions, mut repetitions) = (Vec::new(), Vec::new());
@@ -218,7 +219,7 @@ impl Column {
 /// Returns the error for a file with a column of a type that files of results never contain.
 fn foreign() -> ParquetError {
     ParquetError::General(
-        "the file has a column of a type that results of a study do not have".to_owned(),
+        "the file has a column of a type that does not occur in study results".to_owned(),
     )
 }
 

@@ -34,7 +34,7 @@ pub enum StoreError {
     Busy(PathBuf),
     /// The files to be merged do not form one study; the text gives the reason.
     Unlike(String),
-    /// The watcher stopped the work.
+    /// The progress callback `watch` stopped the work.
     Stopped,
 }
 

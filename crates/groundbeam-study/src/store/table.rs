@@ -1,4 +1,4 @@
-//! Computes the columns and the header of a file of results from a study and the rows of its samples.
+//! Computes the contents of a study's results file: the header from the study's settings, the columns from the sample results.
 
 use super::checksum::hex;
 use super::column::{Column, Kind};

@@ -1,16 +1,17 @@
-//! Solves the linear system: eliminates beam and ground from both ends of the beam to a meeting node.
+//! Solves the linear system: eliminates the unknowns of beam and ground from both ends of the beam to a node between them.
 //!
-//! The unknowns of a node are the deflection w and the rotation θ of the beam and, in open ground, the settlement u
-//! of the surface. A sweep condenses the cells that it has passed to a stiffness and a force at the present node.
-//! An element of length h has the deformations d₁ = w_right − w_left − h θ_left and d₂ = θ_right − θ_left. The
-//! sweep eliminates either w of the passed node or d₁, whichever has the larger stiffness, and likewise either θ or
-//! d₂. So no stiffness is a small difference of large numbers. Each element is crossed once in the sweep and once
-//! in back-substitution, so the cost is linear in the number of elements.
+//! The unknowns of a node are the deflection w and the rotation θ of the beam and, where beam and ground are not in
+//! contact, the settlement u of the ground surface. A sweep condenses the cells that it has passed to a stiffness
+//! and a force at the present node. An element of length h has the deformations d₁ = w_right − w_left − h θ_left
+//! and d₂ = θ_right − θ_left. The sweep eliminates either w of the passed node or d₁, whichever has the larger
+//! stiffness, and likewise either θ or d₂. So no stiffness is a small difference of large numbers. Each element is
+//! crossed once in the sweep and once in back-substitution, so the cost is linear in the number of elements.
 //!
-//! In a narrow gap and near the edge of a wide gap, a short stretch of open ground couples the surface to the beam.
-//! Its stiffness is much larger than that of the supports. There the third unknown of a node is u − ψ instead of u,
-//! where ψ is the deflection of the beam minus the gap. The differences of u − ψ between neighbouring nodes do not
-//! contain the common settlement of beam and ground, and the large stiffness is not added to that of the supports.
+//! In a narrow gap and near the edge of a wide gap, a short stretch of ground out of contact couples the ground
+//! surface to the beam. The stiffness of this stretch is much larger than that of the supports. There the third
+//! unknown of a node is u − ψ instead of u, where ψ is the deflection of the beam minus the gap. The differences of
+//! u − ψ between neighbouring nodes do not contain the common settlement of beam and ground, and the large
+//! stiffness is not added to that of the supports.
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{add_open_ground, counted};
@@ -88,7 +89,8 @@ impl Chain {
         Ok(shapes)
     }
 
-    /// Condenses all cells from one end to the meeting node, without the loads and supports of the meeting node.
+    /// Condenses all cells from one end of the beam to the node at which the two sweeps meet, without the loads
+    /// and supports of this node.
     fn sweep<const MIRRORED: bool>(
         &self,
         start: usize,
@@ -203,10 +205,10 @@ fn cross(
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
     // `k` is the stiffness of the element and of the cells already condensed. It refers to the four unknowns of
-    // the element, and to the surface unknowns of the left and of the right node. Short open ground connects
-    // the two surface unknowns by a spring that is much stiffer than the ground under them. Then the difference
-    // of the two surface unknowns replaces the left one, so that the rounding error of the stiff spring does
-    // not mask the support by the ground.
+    // the element, and to the surface unknowns of the left and of the right node. A short stretch of ground out
+    // of contact connects the two surface unknowns by a spring that is much stiffer than the ground under them.
+    // Then the difference of the two surface unknowns replaces the left one, so that the rounding error of the
+    // stiff spring does not mask the support by the ground.
     back.rise = open
         .is_some_and(|open| open.ties == [Tie::Surface; 2] && open.two_port.series > state.s[U][U]);
     let surface_left =
@@ -244,7 +246,8 @@ fn cross(
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // The beam unknowns are transformed, and all unknowns are put in the order of condensation.
+    // Replaces the four unknowns of the element by the deflection and the rotation of the right node and the
+    // two eliminated beam unknowns. Sorts all six unknowns as in `ORDER`.
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
@@ -271,10 +274,10 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // If the right end of the open ground touches the beam, the ground restrains the deflection of the right
-    // node but not its rotation. Its stiffness is added only after the deflections and rotations of the ends of
-    // the element have been transformed. Otherwise, rounding errors of this transformation would restrain the
-    // rotation of a free beam.
+    // If the right end of the ground under the cell touches the beam, this ground restrains the deflection of
+    // the right node but not its rotation. Its stiffness is added only after the deflections and rotations of
+    // the ends of the element have been transformed. Otherwise, rounding errors of this transformation would
+    // restrain the rotation of a free beam.
     if let Some(open) = open {
         add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
     }

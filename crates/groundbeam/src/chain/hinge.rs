@@ -26,7 +26,8 @@ impl HingeRotation {
         let Some(spring) = node.hinge else { return Ok(None) };
         let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
-        // If the hinge has no spring, only the ground and the supports on its near side resist the rotation.
+        // `held` is the stiffness against the rotation θ on the condensed side of the hinge. It comes from
+        // the spring of the hinge, and from the ground and the supports on this side.
         if held.is_nan() || held <= 0.0 {
             return Err(NotDefinite);
         }

@@ -1,4 +1,4 @@
-//! Adds the open ground under a cell to the stiffness of the cell.
+//! Adds the stiffness of the ground under a cell, which is out of contact with the beam, to the stiffness of the cell.
 
 use crate::chain::node::{ChainNode, OpenGround, Tie};
 
@@ -18,10 +18,11 @@ pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surfac
     (row, node.gap)
 }
 
-/// Adds the stiffness and the force of the open ground under a cell to `k` and `q`. Each end of this ground is
-/// connected to the free surface or to the beam. `surfaces` and `beam` are the settlement and the deflection at
-/// both ends of the cell, as linear functions of the unknowns of the cell. `k` and `q` refer to six transformed
-/// unknowns; `turned` converts a linear function of the unknowns of the cell to a function of these six.
+/// Adds the stiffness and the force of the ground under a cell, which is out of contact with the beam, to `k`
+/// and `q`. Each end of this ground is connected to the surface of the neighbouring ground or to the beam.
+/// `surfaces` and `beam` are the settlement and the deflection at both ends of the cell, as linear functions of
+/// the unknowns of the cell. `k` and `q` refer to six transformed unknowns; `turned` converts a linear function
+/// of the unknowns of the cell to a function of these six.
 pub(super) fn add_open_ground(
     open: &OpenGround,
     surfaces: [Surface; 2],

@@ -60,18 +60,20 @@ pub(crate) struct CondensedStiffness {
     pub r: [f64; 3],
 }
 
-/// Connection of one end of a stretch of ground that is out of contact: to the free surface of the neighbouring
+/// Connection of one end of a stretch of ground that is out of contact: to the surface of the neighbouring
 /// ground, or to the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
-    /// The free surface at the node.
+    /// This end of the ground is connected to the surface of the neighbouring ground, which is also out of
+    /// contact.
     Surface,
-    /// The beam. The settlement of the ground is then the deflection minus `gap`, which is the initial gap plus the
-    /// free-field settlement.
+    /// This end of the ground is connected to the beam. Its settlement is the deflection minus `gap`, which is
+    /// the initial gap plus the free-field settlement.
     Beam { gap: f64 },
 }
 
-/// Open, unloaded ground under a cell. Each of its ends is tied to the surface or to the beam.
+/// The unloaded ground under a cell, which is out of contact with the beam, and the connections of its two
+/// ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OpenGround {
     pub two_port: TwoPort,
@@ -79,8 +81,8 @@ pub(crate) struct OpenGround {
 }
 
 impl ChainCell {
-    /// Returns the mirrored cell. With mirrored cells, a sweep from the right uses the elimination for sweeps from
-    /// the left.
+    /// Returns the mirrored cell. A sweep from the right mirrors the cells, and then uses the elimination of a
+    /// sweep from the left.
     pub fn mirrored(&self) -> Self {
         let open = self.open.map(|OpenGround { two_port, ties: [left, right] }| OpenGround {
             two_port: two_port.mirrored(),

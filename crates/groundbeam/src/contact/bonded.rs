@@ -88,7 +88,8 @@ fn deflection_at(found: &ContactState, x: f64) -> f64 {
     value(found.deflection().cell(cell), found.mesh.cells[cell].local(x))
 }
 
-/// Builds the chain of a mesh from its elements, bonded on the given zones. The ends of zones must be nodes.
+/// Builds the linear system of a mesh from its elements. The beam is bonded to the ground in the given
+/// contact zones, whose ends must be nodes.
 pub(crate) fn chain_of(
     mesh: &Mesh,
     zones: &[MeshZone],
@@ -240,7 +241,8 @@ impl<'a> Bonded<'a> {
         (mesh, zones)
     }
 
-    /// Builds the system of beam and ground bonded on given intervals, with additional nodes at `more` positions.
+    /// Builds the linear system of a beam that is bonded to the ground on the given intervals, with additional
+    /// nodes at the positions `more`.
     pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
         let (mesh, zones) = self.mesh_on(intervals, more);
         self.make_elements(&mesh, &zone_kind_of(intervals));
@@ -264,8 +266,9 @@ impl<'a> Bonded<'a> {
         }
     }
 
-    /// Computes the rotation φ of the cross-sections on the cells of w. Elements with boundary layers may have
-    /// several cells.
+    /// Computes the polynomial coefficients of the rotation φ of the cross-sections in each cell of the mesh.
+    /// `coefficients` contains those of the deflection. An element with boundary layers may have several
+    /// cells.
     fn rotations(&self, mesh: &Mesh, coefficients: &[f64], shapes: &[[f64; 4]]) -> Vec<f64> {
         if !self.model.beam.shears() {
             return Vec::new();

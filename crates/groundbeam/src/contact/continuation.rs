@@ -98,7 +98,8 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
 /// deflection determines the edges instead. An edge at a hinge keeps its position if nodal forces determine it,
 /// but not if the obstacle problem does.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
-    // Shear deformation is omitted here, because elements with it are power series, which cost ten times as much.
+    // Shear deformation is omitted here, because it requires elements with power series, which take ten times as
+    // long.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
     let per_wave = power(3.0, level as usize);

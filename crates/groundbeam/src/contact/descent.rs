@@ -22,7 +22,7 @@ use crate::numeric::polynomial::{Coefficients, TERMS, rescale};
 pub(crate) struct Shortened {
     /// Fraction of the full step.
     pub part: f64,
-    /// The deflection after the step; `None` if the step is full or negligible.
+    /// The contact state after a step that is neither full nor negligible; otherwise `None`.
     pub between: Option<ContactState>,
 }
 
@@ -110,7 +110,8 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
         let cell = &found.mesh.cells[point.cell];
-        // A position just inside the cell is looked up, so that the point stays on its side of a node.
+        // A zone end at the left end of a cell must stay at the left end of a cell. So the cell of the finer
+        // mesh is searched at a position just to the right of the zone end.
         if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
             BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }

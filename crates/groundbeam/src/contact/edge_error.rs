@@ -6,7 +6,7 @@ use crate::contact::stopping::JITTER;
 /// The error of the contact edges.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct EdgeError {
-    /// The largest move of an edge that is due to rounding error \[m\].
+    /// Largest change of the position of a contact edge due to rounding error \[m\].
     pub moved: f64,
     /// Intervals on which rounding error decides whether beam and ground touch.
     pub undecided: Vec<Interval>,

@@ -1,10 +1,11 @@
-//! Edge Newton: computes the next position of each contact edge from the concentrated force at the edge.
+//! Computes the next position of each contact edge by Newton's method from the concentrated force at the edge.
 //!
 //! An edge inside the beam carries no concentrated force. If an edge of the bonded beam is in the wrong position, the
-//! slope of the ground jumps at the edge, and a known concentrated force A acts. Near the solution, a Newton step on
-//! each A at fixed deflection squares the error of the edge. The [scan](crate::contact::obstacle) of the whole beam
-//! also squares the error, but at much higher cost. Zones that split, appear or vanish are found by the scan only;
-//! the certificate refuses a solution that misses such zones.
+//! slope of the ground surface jumps at the edge, and a known concentrated force A acts there. Near the solution, one
+//! step of Newton's method for A = 0 at each edge, with the deflection fixed, squares the error of the edge
+//! positions. The [scan](crate::contact::obstacle) of the whole beam also squares this error, but at much higher
+//! cost. Zones that split, appear or vanish are found by the scan only; the certificate refuses a solution that
+//! misses such zones.
 
 use super::surface::can_carry;
 use crate::contact::intervals::Interval;

@@ -123,7 +123,7 @@ struct Visited {
     found: Rc<ContactState>,
 }
 
-/// The result of the bonded solve of one step.
+/// The result of one step, in which the beam is solved as bonded to the ground on the trial contact set.
 enum Bond {
     /// A solution in which the beam is balanced on one point and may rotate about it until another point comes into
     /// contact.
@@ -143,7 +143,7 @@ impl Search<'_, '_> {
         self.bonded.model.beam.length
     }
 
-    /// Number of cells of the present deflection.
+    /// Number of cells of the mesh of the present deflection; 0 if no deflection is known.
     fn cells(&self) -> usize {
         self.now.as_ref().map_or(0, |now| now.mesh.cells.len())
     }
@@ -153,7 +153,7 @@ impl Search<'_, '_> {
         contact.into_iter().map(|ends| ends.map(|x| snapped(x, &self.places, l))).collect()
     }
 
-    /// Computes the contact set of a deflection from the obstacle problem.
+    /// Solves the obstacle problem for the deflection `found`, and returns the contact set.
     fn scan(&self, found: &ContactState) -> Vec<Interval> {
         positions(&found.mesh, &obstacle::contact(&found.deflection()), &self.places)
     }

@@ -172,7 +172,8 @@ fn deflections(
             turns[i * TERMS..(i + 1) * TERMS].copy_from_slice(&rotation);
         }
     };
-    // Elements of a run with uniform loads have the same shape functions.
+    // A run consists of equal elements. If its loads are uniform, all its elements have the same shape
+    // functions.
     let mut shared: Option<(usize, ExactElement)> = None;
     workspace.layout.each_element(grid, |node, v| {
         let (i, run) = (index(ends, node), grid.run_at(node));

@@ -229,9 +229,9 @@ impl Scan<'_> {
         }
     }
 
-    /// Computes the concentrated force A at the left end of the span, and its derivative dA/da = −π + (S/μ) A with
-    /// respect to the position a of this end. π is the pressure of the ground in full contact, and S the stiffness
-    /// of the open ground at this end.
+    /// Computes the concentrated contact force A at the left end a of a span of ground out of contact, and its
+    /// derivative dA/da = −π + (S/μ) A. π is the pressure that the ground at a would have in contact. S is the
+    /// stiffness of the ground out of contact at a (force per settlement), and μ that of the shear layer.
     fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { left: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -245,9 +245,9 @@ impl Scan<'_> {
         [force, (link.shunt_left + link.series) / shear * force - pressure]
     }
 
-    /// Computes the concentrated force B at the right end of the span, and its derivative dB/db = π − (S/μ) B with
-    /// respect to the position b of this end. π is the pressure of the ground in full contact, and S the stiffness
-    /// of the open ground at this end.
+    /// Computes the concentrated contact force B at the right end b of a span of ground out of contact, and its
+    /// derivative dB/db = π − (S/μ) B. π is the pressure that the ground at b would have in contact. S is the
+    /// stiffness of the ground out of contact at b (force per settlement), and μ that of the shear layer.
     fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { right: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);

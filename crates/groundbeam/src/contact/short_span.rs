@@ -46,6 +46,7 @@ struct SpanPart<R> {
 
 /// Unloaded ground of varying k or μ between two points.
 struct VaryingGround<R> {
+    /// Relation between the settlements and the forces at the two points.
     link: TwoPort<R>,
     /// Coefficients in s ∈ \[−1, 1\] of two surfaces. The first surface is 1 at the left point and 0 at the right
     /// point, and the second surface is 0 at the left point and 1 at the right point.
@@ -73,9 +74,9 @@ impl<R: Real> SpanPart<R> {
         Some(part)
     }
 
-    /// Computes the surface φ of unloaded ground and its flux μφ' at the right end of the part from their values at
-    /// the left end. If `turned` is set, computes the values at the left end from those at the right end. All terms
-    /// are positive, so no digits cancel.
+    /// Computes the settlement φ of the surface of unloaded ground, and the flux μφ', at the right end of this part
+    /// of a cell from their values at the left end. If `turned` is true, computes φ and the flux −μφ' at the left
+    /// end from their values at the right end. All terms are positive, so no digits cancel.
     fn cross(&self, phi: R, flux: R, turned: bool) -> [R; 2] {
         if let Some(ground) = &self.varying {
             let link = &ground.link;

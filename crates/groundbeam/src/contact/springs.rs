@@ -36,9 +36,10 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     }
 }
 
-/// Computes a polynomial that has the sign of the obstacle ψ inside a cell. The polynomial is ψ divided by its zeros
-/// at rigid supports: one zero at a pinned support, two zeros at a fixed support. Without this division, rounding
-/// error could move these zeros into the cell and create open ground there.
+/// Computes a polynomial that has the sign of ψ inside a cell, where ψ is the deflection minus the initial gap and
+/// the free-field settlement. The zeros of ψ at rigid supports are divided out: one at a pinned support, two at a
+/// fixed support. Otherwise, rounding error could move these zeros into the cell and cause a false lift-off zone
+/// there.
 fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
     let mut obstacle = w.obstacle(cell);
     for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {

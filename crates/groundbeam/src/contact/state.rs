@@ -14,10 +14,11 @@ use crate::numeric::step::Step;
 #[derive(Debug, Clone)]
 pub(crate) struct ContactState {
     pub mesh: Mesh,
-    /// [`TERMS`] coefficients of w(s) for each cell.
+    /// [`TERMS`] polynomial coefficients of the deflection w for each cell, in the local coordinate s of the
+    /// cell (−1 ≤ s ≤ 1).
     pub coefficients: Vec<f64>,
-    /// [`TERMS`] coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
-    /// deformation.
+    /// [`TERMS`] polynomial coefficients of the rotation φ of the cross-sections for each cell, in the local
+    /// coordinate s of the cell (−1 ≤ s ≤ 1); empty if the beam has no shear deformation.
     pub rotation: Vec<f64>,
     /// Contact zones on the mesh. If the ground acts at nodes, every node of a zone is in contact.
     pub zones: Vec<MeshZone>,
@@ -61,8 +62,8 @@ impl ContactState {
         Motion { deflection: &self.coefficients, rotation: &self.rotation }
     }
 
-    /// Returns the coefficients of φ(s), the rotation of the sections, in cell i. Without shear deformation, φ equals
-    /// w'.
+    /// Returns the polynomial coefficients of the rotation φ of the cross-sections in cell i. Without shear
+    /// deformation, φ equals w'.
     pub fn rotation(&self, i: usize) -> Coefficients {
         match self.rotation.get(i * TERMS..(i + 1) * TERMS) {
             Some(rotation) => rotation.into(),
@@ -71,7 +72,7 @@ impl ContactState {
     }
 }
 
-/// Computes the coefficients of w'(s) in a cell from the coefficients of w(s).
+/// Computes the polynomial coefficients of the slope w' in a cell from those of the deflection w.
 pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
     let per_half = 2.0 / cell.length();
     let mut slope = derivative(deflection);

@@ -24,8 +24,9 @@ pub(crate) const JITTER: f64 = 1e-7;
 /// more.
 pub(crate) const ULPS: f64 = 8.0;
 
-/// Move of the contact edges below which the line search does not shorten a step, because the decrease of the energy
-/// is lost in rounding error. The random model Gap 1369 needs more than 1.1e-8.
+/// If no contact edge moves by more than this fraction of the beam's length, the line search does not shorten the
+/// step, because the decrease of the energy is lost in rounding error. The random test model `Gap 1369` needs a
+/// value above 1.1e-8.
 pub(crate) const BLIND: f64 = 2e-8;
 
 /// Largest distance between the edges of two contact sets that count as equal, in the test whether the iteration
@@ -40,8 +41,8 @@ pub(crate) const STALE_STEPS: usize = 4;
 /// this fraction of the beam's length.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// Largest move of a contact edge in one step of Newton's method for the edge positions, relative to the length of the
-/// contact zone and to the length of the adjacent open ground.
+/// Largest change of the position of a contact edge in one step of Newton's method for the edge positions, relative to
+/// the length of the contact zone and to the length of the adjacent ground out of contact.
 pub(crate) const NEAR_EDGE: f64 = 0.25;
 
 /// Limit on the number of steps of a contact iteration. The first `always` steps are always allowed. Further steps,

@@ -13,7 +13,7 @@ use crate::numeric::real::Real;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SurfacePart<R = f64> {
     pub cell: usize,
-    /// Ends of the part of the cell, in the coordinate s of the cell.
+    /// Left and right end of this part of the cell, in the local coordinate s ∈ \[−1, 1\] of the cell.
     pub s: [f64; 2],
     /// Ground displacement u minus free field u₀ at both ends of the part; `None` if the part is in contact.
     pub open: Option<[R; 2]>,
@@ -31,8 +31,8 @@ pub(crate) struct PointForce<R = f64> {
 pub(crate) struct Surface<R = f64> {
     /// Parts of the surface from left to right. The parts cover all cells.
     pub parts: Vec<SurfacePart<R>>,
-    /// Concentrated contact forces at all positions that can carry a concentrated force: the ends of the beam and of
-    /// the shear layer, corners and point contacts.
+    /// Concentrated contact forces at point contacts, and at all points of contact zones where concentrated forces
+    /// are possible ([`can_carry`]).
     pub point_forces: Vec<PointForce<R>>,
 }
 
@@ -101,7 +101,8 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Adds the concentrated forces at the ends of a contact zone and at the corners within the zone.
+    /// Adds the concentrated contact forces at the ends of a contact zone, and at points within the zone
+    /// where concentrated forces are possible, such as corners of the initial gap.
     fn add_zone_atoms(&mut self, w: &Deflection<R>, zone: &MeshZone, flux_in: R, flux_out: R) {
         if can_carry(w.mesh, zone.from) {
             let force = flux_in - w.flux(zone.from);
@@ -119,8 +120,8 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Appends the parts of the open ground between two points to the parts of the surface. Returns the
-    /// force–displacement relation of this open ground.
+    /// Appends the parts of the ground out of contact between two points to the parts of the surface. Returns
+    /// the force–displacement relation of this ground.
     fn open(
         &mut self,
         w: &Deflection<R>,
@@ -214,9 +215,10 @@ fn halved(
     halved([middle, to], short, halvings - 1, cuts);
 }
 
-/// Whether a concentrated force can act at an end of a contact interval. It can act at the ends of the beam and of
-/// the shear layer, at corners, at hinges, and at kinks of a beam with shear deformation. At all other positions, the
-/// ground leaves the beam tangentially.
+/// Whether the contact force between beam and ground can be concentrated at a point. It can be concentrated at the
+/// ends of the beam, where the stiffness of the shear layer jumps, at corners of the initial gap, at point forces on
+/// the ground, at hinges, and at kinks of a beam with shear deformation. At all other positions, the ground leaves
+/// the beam tangentially.
 pub(crate) fn can_carry<R: Real>(mesh: &Mesh<R>, point: BeamPoint) -> bool {
     let node = match point.s {
         -1.0 => point.cell,

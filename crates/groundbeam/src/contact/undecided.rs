@@ -13,13 +13,14 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::numeric::polynomial::value;
 
-/// Number of equal intervals into which a part of open ground is divided. The distance between beam and ground is
-/// computed at the ends of these intervals.
+/// Number of equal intervals into which a part of the ground out of contact is divided. The distance between beam
+/// and ground is computed at the ends of these intervals.
 const INTERVALS: usize = 8;
 
-/// Returns whether two contact sets differ only by rounding error: the contact of a bonded beam, and the contact set
-/// `asked`, which is computed from the deflection of this beam. On each interval that belongs to only one of the two
-/// contact sets, the distance between beam and ground must be rounding error.
+/// Returns whether two contact sets differ only by rounding error. `contact` is the set on which the beam was bonded
+/// to the ground, and `asked` is the contact set that follows from the resulting deflection `found`. On each
+/// interval that belongs to only one of the two contact sets, the distance between beam and ground must be rounding
+/// error.
 pub(crate) fn differ_by_rounding(
     found: &ContactState,
     contact: &[Interval],
@@ -51,9 +52,9 @@ pub(crate) fn differ_by_rounding(
     is_rounding(&found.zones) && is_rounding(asked)
 }
 
-/// Computes the surface of open ground at a position inside a part of a cell. `t` is the distance of the position from
-/// the left end of the part, relative to the length of the part. `ends` contains the values of the surface at both
-/// ends of the part.
+/// Computes the settlement of the ground surface minus the free-field settlement at a position inside a part of a
+/// cell. The part is out of contact, and `half` is half its length. `t` is the distance of the position from the left
+/// end of the part, relative to the length of the part. `ends` contains the values at both ends of the part.
 fn surface_at(cell: &Cell, half: f64, ends: [f64; 2], t: f64) -> f64 {
     if cell.shear_layer == 0.0 {
         return 0.0;
