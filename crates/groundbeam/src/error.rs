@@ -67,7 +67,8 @@ pub enum NotConverged {
     Branch(f64),
     /// The relative energy gap of the certificate for the solution at the load factor of first lift-off.
     LiftOff(f64),
-    /// The last relative change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
+    /// The last relative change of r = ∫u'²/∫u² from one solution to the next, where u is the ground displacement. On
+    /// layered soil, k and μ depend on r.
     Soil(f64),
     /// The relative energy gap of the certificate. It is too large because the loads cancel each other up to rounding
     /// errors.

@@ -1,4 +1,4 @@
-//! Computes the contact force of each contact interval of a bonded beam from the pressure and the forces at corners and ends.
+//! Computes the contact force of each contact interval of a bonded beam from the pressure and the concentrated contact forces.
 
 use crate::contact::edge_step::OpenSpan;
 use crate::contact::intervals::Interval;
@@ -27,7 +27,8 @@ pub(crate) fn zone_forces(w: &Deflection, contact: &[Interval], zones: &[MeshZon
     forces
 }
 
-/// Computes the integral of the contact pressure over a zone, plus the forces at corners inside the zone.
+/// Computes the integral of the contact pressure over a zone, plus the concentrated contact forces between the ends of
+/// the zone. Such forces occur at corners of the initial gap, for example.
 fn spread_force(w: &Deflection, zone: &MeshZone) -> f64 {
     if zone.from == zone.to {
         return 0.0;

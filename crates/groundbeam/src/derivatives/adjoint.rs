@@ -30,8 +30,9 @@ impl Equilibrium<'_> {
             Read::Edge { zone, side } | Read::EdgeForce { zone, side } => add(end_of(zone, side)),
             Read::Support { number, .. } => add(frame.model.supports[number].at),
         }
-        // The ground surface in a span without contact depends only on w at both ends of the span. The forces at the
-        // ends of a short span are integrals over the span, so they depend on w along the whole span.
+        // The settlement of the ground between two contact zones depends only on w at the edges of the zones. If the
+        // zones are close together, the concentrated forces at these edges are computed by an integral between the
+        // edges. The computed forces then depend on w along the whole distance.
         for Span { ends, .. } in &self.spans {
             let at = |end: BeamPoint| cells[end.cell].global(end.s);
             let from = ends[0].map_or(f64::NEG_INFINITY, at);

@@ -1,4 +1,4 @@
-//! Computes the derivatives of the potential energy at fixed w, φ and u of the solution (envelope theorem).
+//! Computes the derivatives of the potential energy with respect to parameters, at fixed displacements (envelope theorem).
 
 use super::linear::Linear;
 use super::tangent::{Motion, Moved};

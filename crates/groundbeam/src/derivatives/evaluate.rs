@@ -188,7 +188,7 @@ impl<const N: usize> Linear<'_, N> {
         self.force_at_edge(zone, side).by.map(|by| outward * by / pressure.value)
     }
 
-    /// Returns w and φ of the node at a position.
+    /// Returns the deflection w and the rotation φ of the beam at the node at `x`.
     pub fn at_node(&self, x: f64) -> [Dual<N>; 2] {
         let spot = self.frame.spot(x, Side::Right);
         let (v, right) = (&self.shapes[spot.cell], spot.s > 0.0);

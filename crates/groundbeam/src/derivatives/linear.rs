@@ -1,9 +1,9 @@
-//! Builds the linearised problem: data and unknowns of the bonded beam, with derivatives as dual numbers.
+//! Builds the linearised problem of the bonded beam: its data and unknowns are dual numbers, which contain derivatives.
 //!
-//! The loads of a parameter are the derivatives of the residual with respect to this parameter at fixed unknowns. The
-//! loads of an output are the derivatives of the output with respect to the unknowns at fixed data. The stiffness is
-//! symmetric, so the derivatives follow either from solves for the loads of the parameters or from solves for the
-//! loads of the outputs.
+//! The linear equations for a parameter have the derivatives of the residual with respect to this parameter as
+//! right-hand side, with the unknowns fixed. The adjoint equations for an output have the derivatives of the output
+//! with respect to the unknowns as right-hand side, with the parameters fixed. The stiffness matrix is symmetric, so
+//! the derivatives of the outputs follow either from one solve for each parameter or from one solve for each output.
 
 use super::equilibrium::{Equilibrium, Loads, Span, curves};
 use super::frame::Frame;
@@ -169,7 +169,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         own
     }
 
-    /// Computes w and φ in some elements, and the displacements and forces at the ends of all spans of open ground.
+    /// Computes the deflection w and the rotation φ in the given `elements`. Also computes the ground displacements and
+    /// the forces on the ground at both ends of each stretch of ground without contact.
     pub fn refresh(&mut self, elements: impl Iterator<Item = usize>) {
         elements.for_each(|i| self.unfold(i));
         (0..self.spans.len()).for_each(|span| self.hold(span));
@@ -192,8 +193,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.exact[i] = Some(exact);
     }
 
-    /// Computes the loads of the parameters: the derivatives of the residual at the unknowns of the equilibrium. They
-    /// come from the elements, the nodes and the open ground.
+    /// Computes the derivatives of the residual with respect to the parameters, with the unknowns fixed at the
+    /// equilibrium. The elements, the nodes and the ground without contact contribute to them.
     pub fn loads(&self) -> Loads<Dual<N>> {
         let mut loads = Vec::new();
         for (i, exact) in self.exact.iter().enumerate() {
@@ -277,7 +278,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         Deflection { mesh: self.mesh(), coefficients: &self.deflection }
     }
 
-    /// Computes the ground displacements and the forces on the ground at both ends of a span of open ground.
+    /// Computes the ground displacement minus the free-field settlement, and the force on the ground, at both ends of a
+    /// stretch of ground without contact. `span` is the index of this stretch.
     fn hold(&mut self, span: usize) {
         let Span { ends, whole, .. } = &self.spans[span];
         let w = self.w();
@@ -297,8 +299,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         (span.held, span.fluxes) = (held, fluxes);
     }
 
-    /// Computes the jump of the settlement of open ground at one end of a span: the settlement at this end minus the
-    /// settlement at the node at x. The jump arises if a load at this node moves.
+    /// Computes the jump of the ground settlement at one end of a stretch of ground without contact. The jump is the
+    /// settlement at this end minus the settlement at the node at x. It arises if a load at this node moves.
     fn drifted(&self, x: f64, end: usize) -> Dual<N> {
         let is_end = |steps: &Steps| usize::from(steps.spot.s > 0.0) == end;
         self.moved_at(x, |steps| if is_end(steps) { steps.drift } else { 0.0 })

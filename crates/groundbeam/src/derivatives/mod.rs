@@ -31,7 +31,7 @@ use std::fmt;
 use tangent::{Moved, Tangent};
 pub use topology::{Condition, Nearest};
 
-/// The value of an output with its derivatives.
+/// The value of an output, with its derivatives with respect to the parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradient {
     /// The value of the output, in its unit.
@@ -78,7 +78,8 @@ impl OneSided {
             }
             OneSided::Place { at, .. } => {
                 format!(
-                    "a load moves at x = {at}{unit}, where the left and right derivatives of the output differ"
+                    "the output has different left and right derivatives with respect to the position of the load \
+                     at x = {at}{unit}"
                 )
             }
             OneSided::Rival { at } => {

@@ -1,4 +1,4 @@
-//! Computes the derivative with respect to the position of a load: a moment and jumps of w, φ and M at the load's node.
+//! Represents the derivative with respect to the position of a load by a moment and by jumps of w and φ at the load's node.
 //!
 //! If a load moves to the right by δ, the state on the left of the load extends by the length δ. In the cell on the
 //! right of the load, w, φ and M then change by δ times the jumps of their slopes. Cells and nodes keep their
@@ -30,8 +30,8 @@ pub(super) struct Steps {
     /// Derivative of the jump of w' with respect to the position of the load. The jump is the slope at the end of the
     /// element minus the true slope of the beam at this position.
     pub slope: f64,
-    /// Derivative of the jump of the settlement of open ground with respect to the position of the load. The jump is
-    /// the value at the end of the cell minus the value at its node.
+    /// Derivative of the jump of the settlement of ground without contact with respect to the position of the load. The
+    /// jump is the value at the end of the cell minus the value at its node.
     pub drift: f64,
 }
 

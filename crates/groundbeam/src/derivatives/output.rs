@@ -80,13 +80,15 @@ pub(super) enum Read {
 pub(super) enum Follows {
     /// The position is fixed by the caller.
     Given,
-    /// The field is stationary, so a move of the position has no effect.
+    /// The slope of the field is zero at the position of its extreme value. A small shift of this position has no
+    /// first-order effect on the value.
     Nothing,
     /// The position is a contact edge, at a kink of the field.
     Edge { zone: usize, side: Side, slope: f64 },
     /// The position is that of a load. No other part of the model has the same position.
     Load { slope: f64 },
-    /// The field has a kink at the position, caused by a part of the model that does not move.
+    /// The field has its extreme value at a kink, at a jump or at an end of the beam. This position does not depend on
+    /// the parameters.
     Kink,
 }
 

@@ -15,7 +15,8 @@ use crate::solution::solution::Solution;
 pub enum Condition {
     /// The pressure inside a contact zone or at its edge.
     Pressure,
-    /// A concentrated force at an end of the beam, a corner, a hinge or a point contact.
+    /// A concentrated contact force. It can act at an end of the beam, at a corner of the initial gap, at a jump of the
+    /// stiffness μ of the shear layer, at a hinge or at a point contact.
     Force,
     /// The gap outside contact.
     Gap,
@@ -47,7 +48,7 @@ impl Condition {
 /// The nearest change of contact: the quantity with the smallest relative margin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
-    /// The quantity that is nearly zero.
+    /// The quantity that is closest to zero. The contact zones or the active supports change if it becomes zero.
     pub condition: Condition,
     /// Position \[m\] of the pressure, force, gap, angle or support. For a length, it is the left end of the zone or
     /// span.
@@ -74,7 +75,8 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
     }
     let lowest = |i: usize| {
         let (x, gap) = places[i];
-        // A minimum has no lower neighbour. On each side, it has a peak or it lies at the end of the beam.
+        // At a minimum, neither neighbouring gap is smaller. On both sides of a minimum, the gap rises by more than
+        // `least`; at an end of the beam, this is required on one side only.
         let beside = [i.checked_sub(1), Some(i + 1).filter(|next| *next < count)];
         let turns = beside.into_iter().flatten().all(|j| places[j].1 >= gap);
         let peaks = [(before[i], ends[0]), (after[i], ends[1])];

@@ -80,7 +80,8 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// Converts the element to another number type, without derivatives.
+    /// Converts the element to another number type. The derivatives of its stiffness and load with respect to the
+    /// parameters are dropped.
     pub fn still<S: Real>(&self) -> Element<S> {
         Element {
             length: self.length,

@@ -57,7 +57,7 @@ pub(crate) fn parts<R: Real>(operator: &Operator<R>, length: f64) -> usize {
     (wave * length / LONGEST_SERIES).ceil().max(1.0) as usize
 }
 
-/// An element with the functions that give w(s) from its four unknowns.
+/// An element, with the functions that give the deflection w along the element from its four unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct ExactElement<R = f64> {
     pub element: Element<R>,
@@ -67,8 +67,8 @@ pub(crate) struct ExactElement<R = f64> {
 #[derive(Debug, Clone)]
 enum Functions<R> {
     Uniform(Uniform<R>),
-    /// Coefficients of w(s) in a quiet element, which is so long that the waves from its ends are neglected. They do
-    /// not depend on the deflections and rotations of the ends.
+    /// Power series coefficients of the deflection w in a quiet element, which is so long that the waves from its ends
+    /// are neglected. They do not depend on the deflections and rotations of the ends.
     Quiet([R; TERMS]),
     Series(Box<Series<R>>),
 }
@@ -89,7 +89,8 @@ impl<R: Real> ExactElement<R> {
         ExactElement { element, functions: Functions::Uniform(uniform) }
     }
 
-    /// The boundary layers that are part of w in addition to its series.
+    /// Returns the boundary layers of the element. The deflection w is the sum of a power series and of these layers.
+    /// Returns `None` if w is a power series alone.
     pub fn layers(&self) -> Option<&Layers<R>> {
         match &self.functions {
             Functions::Uniform(uniform) => uniform.layers.as_ref(),
@@ -97,7 +98,8 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// Computes the coefficients of w on a part of the element's cell, from the results of [`Self::unfold`].
+    /// Computes the power series coefficients of the deflection w on the part `x` of the element's cell, from the
+    /// results of [`Self::unfold`].
     pub fn deflection_on<S: Real>(
         &self,
         cell: &Cell<S>,

@@ -5,7 +5,7 @@
 //! κ = 0 for the tension N and the subgrade κ. At a distance of 50/λ, the waves are below rounding error, so the two
 //! ends of the quiet element are decoupled.
 //!
-//! The particular solution w_p is the load minus the slope of the moment load, divided by κ. At the left end, the
+//! The particular solution is w_p = (F − G′)/κ, with the load F and the distributed moment load G. At the left end, the
 //! difference v = w − w_p solves v″ + σ v′ + π v = 0, where σ is the sum and π the product of the two roots with
 //! positive real part. The force and the moment due to v at this end are EI (σπ v + π v′) and EI (π v + σ v′).
 
@@ -47,8 +47,8 @@ fn roots<R: Real>(operator: &Operator<R>) -> [R; 2] {
     [if square.value() > 0.0 { square.sqrt() } else { R::ZERO }, product]
 }
 
-/// Computes the particular solution of the beam equation at both ends of the stretch: the load minus the slope of the
-/// moment load, divided by the subgrade.
+/// Computes the particular solution (F − G′)/κ of the beam equation at both ends of the stretch, with the load F, the
+/// distributed moment load G and the subgrade κ.
 fn particular<R: Real>(operator: &Operator<R>, length: f64) -> [R; 2] {
     let [left, right] = operator.moment_load;
     let rise = (right - left) / length;

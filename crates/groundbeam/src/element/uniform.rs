@@ -1,4 +1,4 @@
-//! Computes the exact element with constant data, whose functions solve EI w⁗ − N w″ + κ w = F − G', (2.11).
+//! Computes the exact element with constant data, from solutions of EI w⁗ − N w″ + κ w = F − G', (2.11) of Kikuchi's paper.
 //!
 //! N is the tension, κ the subgrade modulus in contact, F the load and G the moment load. Let a be half the
 //! length of the element and x = x_middle + a s. The equation then becomes the recurrence
@@ -339,11 +339,12 @@ mod tests {
         }
     }
 
-    /// Returns the stiffness matrix for the deflections and slopes of both ends, the unknowns of textbooks.
+    /// Returns the stiffness matrix for the deflections and slopes of both ends, which are the usual unknowns in
+    /// textbooks.
     fn by_ends(e: &Element) -> [[f64; 4]; 4] {
         let h = e.length;
-        // The matrix maps the deflections and slopes of both ends to the element's unknowns. These are w and θ
-        // at the left end, and the deformations w_r − w_l − h θ_l and θ_r − θ_l of the length h.
+        // The matrix maps the deflections w and slopes θ of both ends of an element of length h to its four unknowns.
+        // These are w_l and θ_l at the left end, and the deformations w_r − w_l − h θ_l and θ_r − θ_l.
         let c = [
             [1.0, 0.0, 0.0, 0.0],
             [0.0, 1.0, 0.0, 0.0],

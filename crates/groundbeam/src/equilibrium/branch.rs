@@ -42,7 +42,7 @@ const ACCEPTED_MOVE: f64 = 1e-9;
 const RETURNED: f64 = 1e-7;
 const NEXT: f64 = 1e-3;
 
-/// A stable equilibrium on the path.
+/// A stable equilibrium on the path of equilibria under increasing compression.
 #[derive(Debug, Clone)]
 pub(crate) struct PathPoint {
     /// The compression −P \[N\].

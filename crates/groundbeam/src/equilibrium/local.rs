@@ -28,8 +28,9 @@ const BELOW_BUCKLING: f64 = 1e-12;
 /// Number of points per cell at which a mode is evaluated.
 const MODE_POINTS: usize = 16;
 
-/// Checks a model in compression whose energy is not convex. Returns the verdict and, if the path reaches the
-/// given compression, the local equilibrium.
+/// Checks a model in compression whose energy is not convex, and returns the verdict on existence. Follows the path of
+/// equilibria from zero compression. If the path reaches the compression of the model, the local equilibrium is
+/// returned too.
 pub(crate) fn check(
     model: &Model,
     cancel: &Cancel,

@@ -17,7 +17,8 @@ use crate::nodal::beam::LONGEST_ELEMENT;
 use crate::nodal::grid::{fewest_in, is_even};
 use crate::options::{Method, Options};
 
-/// Maximum number of series elements.
+/// Maximum number of elements whose deflection is a power series because the stiffness varies or the beam has
+/// shear deformation.
 const MOST_SERIES: usize = 30_000;
 
 /// Upper bounds of the memory \[bytes\]: per element of the exact method, per mesh cell of the other methods,

@@ -1,9 +1,9 @@
 //! Computes k and μ of the modified Vlasov model from r = ∫u'²/∫u², where u is the ground displacement of the solution.
 //!
-//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan
-//! and Das (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) alternate
-//! between computing u and computing k and μ. Here every u is exact on the whole line, including open ground
-//! and the ground outside the beam.
+//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan and Das
+//! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) alternate between
+//! computing u and computing k and μ. Here every u is exact on the whole line, including ground without contact under
+//! the beam and the ground outside the beam.
 
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
@@ -106,8 +106,9 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     (sums[0] > 0.0).then(|| sums[1] / sums[0])
 }
 
-/// Returns ∫u² and ∫u'² outside one end of the beam. Ground defined by soil data is infinite. Between loads u is
-/// the sum of two exponentials and q/k. Beyond the last load u decays exponentially.
+/// Returns ∫u² and ∫u'² of the ground displacement u outside one end of the beam. Ground defined by soil data is
+/// infinite. Between the ends of loads, u is q/k plus two exponential functions, with the load q on the ground. Beyond
+/// the last load, u decays exponentially.
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
     let Some(piece) = piece else { return [0.0; 2] };
@@ -153,7 +154,8 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     each.sum()
 }
 
-/// Returns ∫u² and ∫u'² of a piece of open ground under the beam, with loads on the ground.
+/// Returns ∫u² and ∫u'² of the ground displacement u on a piece of the solution without contact, in a model with loads
+/// on the ground.
 fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
     quadrature(2.0 * piece.half, b, |s| {
@@ -180,7 +182,8 @@ fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     sums
 }
 
-/// Returns ∫u² and ∫u'² on a piece of the solution in contact or on a piece of unloaded open ground.
+/// Returns ∫u² and ∫u'² of the ground displacement u on a piece of the solution in contact, or on a piece without
+/// contact and without loads on the ground.
 fn on(piece: &SolutionPiece) -> [f64; 2] {
     let half = piece.half;
     let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];

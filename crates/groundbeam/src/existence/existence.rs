@@ -27,7 +27,8 @@ pub fn existence(model: &Model) -> Existence {
     Existence { verdict, static_reactions: [whole[0].sum, whole[1].sum] }
 }
 
-/// Returns the verdict that follows from the work of the loads in the extreme rays of the cone of free motions.
+/// Returns the verdict on existence that follows from the work of the loads along the extreme rays of the cone of free
+/// rigid motions.
 fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     let worst = rays.iter().filter(|(cost, _)| cost.is_negative());
     if let Some((_, motion)) = worst.max_by(|a, b| a.1.work.total_cmp(&b.1.work)) {
@@ -119,8 +120,8 @@ mod tests {
         assert!(exists(&outside.with_support(Support::spring(4.0, 1.0, 1.0))));
     }
 
-    /// If no equilibrium exists, the loads do positive work in the motion that the verdict names. Otherwise
-    /// the loads do no positive work in a motion r ≤ 0 with random values at the ends and hinges.
+    /// If no equilibrium exists, the loads do positive work in the motion that the verdict names. Otherwise the loads
+    /// do no positive work in a rigid motion with random upward displacements of the ends and hinges.
     #[test]
     fn random_motions_of_hinged_beams() {
         // A linear congruential generator, x' = 16807 x mod (2³¹ − 1), returns random numbers.

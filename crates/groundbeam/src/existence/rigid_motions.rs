@@ -20,8 +20,9 @@ pub(crate) struct Mechanism {
 }
 
 impl Mechanism {
-    /// Returns the nodes and the constraints that prevent lifting. Tension prevents the rotation of every
-    /// piece. A support that only pushes up is no constraint.
+    /// Returns the nodes, which are the ends and free hinges of the beam, and the constraints on its upward motion.
+    /// Axial tension prevents the rotation of each piece of the beam between two nodes. A support that only pushes up
+    /// is not a constraint.
     pub fn of(model: &Model) -> Self {
         let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
         if model.beam.axial_force != 0.0 {
@@ -254,8 +255,8 @@ mod tests {
         of.held.iter().map(|x| at(*x)).chain(even).collect()
     }
 
-    /// Returns the rank of a matrix by Gaussian elimination. Its numbers are small fractions, so a value below
-    /// 10⁻⁹ is zero.
+    /// Returns the rank of a matrix by Gaussian elimination. The entries of the matrix are simple fractions, so a pivot
+    /// below 10⁻⁹ is a rounding error and counts as zero.
     fn rank(mut rows: Vec<Vec<f64>>) -> usize {
         let mut rank = 0;
         for column in 0..rows.first().map_or(0, Vec::len) {

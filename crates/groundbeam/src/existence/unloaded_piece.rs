@@ -68,9 +68,9 @@ mod tests {
         assert!(matches!(over(Foundation::winkler(1.0)), Verdict::None(m) if m.work == 0.0));
     }
 
-    /// Under a force over an end or a hinge, an unloaded beam on Winkler ground sinks without limit. With a
-    /// shear layer at this position it does not, because a shear layer carries a concentrated force. The result
-    /// does not depend on the unit of length.
+    /// On Winkler ground, a beam whose only load is a point force at an end or a hinge sinks without limit.
+    /// With a shear layer at this position, an equilibrium exists, because a shear layer carries a
+    /// concentrated force. The result does not depend on the unit of length.
     #[test]
     fn a_force_over_a_node_needs_a_shear_layer() {
         let over = |unit: f64, x: f64, shear: [f64; 2], [from, to]: [f64; 2]| {

@@ -12,8 +12,8 @@ pub enum Verdict {
     /// More than one equilibrium exists, because this rigid motion does not change the energy. A static
     /// reaction is zero, or the beam rests on one point only.
     NotUnique(RigidMotion),
-    /// No equilibrium exists. This rigid motion nowhere presses on the ground, and the loads do positive work
-    /// in it.
+    /// No equilibrium exists. In this rigid motion the beam presses nowhere on the ground, and the loads do positive
+    /// work. If the loads do no work, one of them needs a concentrated contact force that the ground cannot exert.
     None(RigidMotion),
     /// Without the ground, the compression would make the beam unstable. A stable equilibrium exists on the
     /// path that starts at the solution without compression. This equilibrium is local, because other
@@ -81,11 +81,11 @@ impl Verdict {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
-    /// Value r(0) of the motion at the left end. It is 0 or −1, or between −1 and 0 for the rotation about a
-    /// contact point.
+    /// Displacement r(0) of the left end in the scaled rigid motion r, positive down. It is 0 or −1, or between −1 and
+    /// 0 if the beam rotates about a single contact point.
     pub left: f64,
-    /// Value r(l) of the motion at the right end. It is 0 or −1, or between 0 and 1 for the rotation about a
-    /// contact point.
+    /// Displacement r(l) of the right end in the scaled rigid motion r, positive down. It is 0 or −1, or between 0 and
+    /// 1 if the beam rotates about a single contact point.
     pub right: f64,
     /// Work F(r) of the loads in the rigid motion r, per metre of its largest displacement \[N·m/m\].
     pub work: f64,
@@ -153,7 +153,8 @@ impl Existence {
     /// one equilibrium, unless tension or a support prevents the rotation about this point.
     pub(crate) fn with_contact(self, model: &Model, contact: &[[f64; 2]]) -> Existence {
         let mechanism = Mechanism::of(model);
-        // If contact continues over a hinge, the hinge is a held position of both adjacent pieces.
+        // In a rigid motion of the beam, the two ends of a contact zone and the hinges inside it cannot move up or
+        // down.
         let within = |&[from, to]: &[f64; 2]| {
             let nodes = mechanism.nodes.iter().copied();
             let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();

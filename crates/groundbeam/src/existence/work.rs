@@ -28,8 +28,8 @@ pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
     nodes.into_iter().zip(reactions).map(|(x, reaction)| (x, reaction.sum)).collect()
 }
 
-/// Returns the extreme rays of the cone of free motions. Each ray has its negative work −F(r), which is linear
-/// in the loads. The rays do not depend on the loads.
+/// Returns the extreme rays of the cone of free rigid motions. Each ray is a motion r with the value −F(r), where F(r)
+/// is the work of the loads in this motion. F is linear in the loads, and the rays do not depend on the loads.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     let mechanism = Mechanism::of(model);
     let nodes = &mechanism.nodes;

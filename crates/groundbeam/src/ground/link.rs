@@ -1,4 +1,4 @@
-//! Computes the forces at both ends of open ground from the settlements of its ends by two-ports, (2.2)–(2.5).
+//! Computes the forces at both ends of ground without contact from the settlements of its ends by two-ports, (2.2)–(2.5).
 //!
 //! Two-ports in series form the inverse of the matrix (5.8) of Green's function (2.4). This inverse is
 //! tridiagonal, so the full matrix (5.8) is never formed.
@@ -74,11 +74,12 @@ impl<R: Real> TwoPort<R> {
     }
 }
 
-/// Number of power series coefficients of u(s) on ground with varying k or μ. On a stretch of at most two decay
-/// lengths, the first omitted term is below 1/20!.
+/// Number of power series coefficients of the ground displacement u along a stretch with varying k or μ. If the stretch
+/// is at most two decay lengths long, the first omitted term is about 1/20! of the first term.
 const SURFACE_TERMS: usize = 20;
 
-/// Returns the coefficients of u(s) on a short stretch with varying k and μ, from the values of u at both ends.
+/// Returns the power series coefficients of the ground displacement u on a short stretch with varying k and μ, from the
+/// values `ends` of u at both ends. The coordinate s of the series is −1 and 1 at the ends.
 pub(crate) fn settled<R: Real>(
     spring: &[R],
     shear: &[R],
@@ -137,8 +138,8 @@ impl<R: Real> Pair<R> {
         self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()
     }
 
-    /// Returns the two-port of the stretch. Its series stiffness is μ times the Wronskian of the solutions `one`
-    /// and `rising`, which is constant, divided by the determinant of `amplitudes`.
+    /// Returns the two-port of the stretch. The product of μ and the Wronskian of the solutions `one` and `rising` is
+    /// constant. The series stiffness is this product divided by the determinant of `amplitudes`.
     pub fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let slope = |end: f64| {
@@ -211,7 +212,8 @@ pub(crate) const PIECE: f64 = 2.0;
 /// counts as zero. e⁻⁴⁰ is below rounding error.
 const FAR: f64 = 40.0;
 
-/// Adds to `cuts` the positions at which open ground is cut near both ends, where its surface is curved.
+/// Adds to `cuts` the positions at which a stretch of ground without contact is divided near both ends of the stretch,
+/// where the surface of the ground is curved.
 pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
     let reach = (FAR * decay).min(to - from);
     let mut step = PIECE * decay;
@@ -228,7 +230,8 @@ pub(crate) fn between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     sinh_ratio(length, 1.0 - t) * left + sinh_ratio(length, t) * right
 }
 
-/// Returns u'/b with b = √(k/μ) at a fraction `t` of an unloaded uniform stretch of the length bh = `length`.
+/// Returns u'/b at the fraction `t` of an unloaded uniform stretch of ground, with b = √(k/μ). `left` and `right` are
+/// the ground displacements u at the ends of the stretch, and `length` is b times its length.
 pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     // At the fraction t of the stretch, u'/b with b = √(k/μ) is (right·cosh(t·z) − left·cosh((1 − t)·z))/sinh z.
     // Here `length` = z is b times the length of the stretch, and `left` and `right` are the values of the ground

@@ -52,8 +52,8 @@ pub(super) fn lift_off_candidates(
     all
 }
 
-/// Returns the pressure p = k(w − g₀) − μ(w − g₀)″ − q on the part `x` of cell `i`, and the sum of the absolute
-/// values of its terms.
+/// Returns the pressure p = k(w − g₀) − μ(w − g₀)″ − q on the part `x` of cell `i`, with the initial gap g₀ and the
+/// load q on the ground. Also returns the sum of the absolute values of the terms of p.
 fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     let cell = &found.mesh.cells[i];
     let half = 0.5 * cell.length();
@@ -289,9 +289,9 @@ mod tests {
         assert_eq!(roots(&layer, left), []);
     }
 
-    /// The forces under the ends of a beam are √(kμ) w ∓ μ w′, on ground with √(kμ) = 6 and μ = 9. The
-    /// coefficient c of sʲ in w adds |c| (6 + 9 j/a) to the sum of the absolute values of the terms, where a is
-    /// half the length of the beam.
+    /// The forces under the ends of a beam are √(kμ) w ∓ μ w′, on ground with √(kμ) = 6 and μ = 9. The deflection w is
+    /// a polynomial in s = (x − a)/a, where a is half the length of the beam. A coefficient c of sʲ in w contributes
+    /// |c| (6 + 9 j/a) to the sum of the absolute values of the terms of each force.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
         // The deflection is w = 3 + x, or w = 5 + 2 s with s = (x − 2)/2.

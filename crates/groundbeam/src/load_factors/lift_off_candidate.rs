@@ -1,4 +1,4 @@
-//! The load factor at which a contact pressure or force becomes tensile, from its polynomials along the beam.
+//! Computes the load factor at which a contact pressure or force becomes tensile, from its constant and its increasing part.
 
 use crate::numeric::polynomial::{Coefficients, derivative, value};
 use crate::numeric::roots::sign_changes;
@@ -13,7 +13,9 @@ pub(super) struct LiftOffCandidate {
     pub growing: Side,
 }
 
-/// One of the two polynomials of a candidate, with the sum of the absolute values of its terms.
+/// One part of a contact pressure or force: the part due to the constant loads, or the part due to the
+/// increasing loads at load factor 1. `coefficients` are those of a polynomial in s ∈ \[−1, 1\], and `size`
+/// is the sum of the absolute values of its terms.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Side {
     pub coefficients: Coefficients,
@@ -36,8 +38,8 @@ impl LiftOffCandidate {
     /// and the position at which the pressure is zero for this factor. Returns `None` if the pressure is not
     /// negative at `factor` itself. `factor` may be infinite.
     ///
-    /// Newton's method finds the root of the minimum over s, which is a concave function of the factor. The
-    /// iterates decrease and never pass the root.
+    /// Newton's method finds the factor at which the minimum of the pressure over s ∈ \[−1, 1\] is zero. This
+    /// minimum is a concave function of the factor, so the iterates decrease and never fall below the result.
     pub fn first_tension_below(&self, factor: f64) -> Option<(f64, f64)> {
         let (mut factor, mut found) = (factor, None);
         for _ in 0..CANDIDATE_STEPS {
@@ -150,14 +152,15 @@ mod tests {
                 assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
             }
         }
-        // The pressure 2 − λ (1 + s) is not tensile up to λ = 1/2. A pressure is never tensile if its constant
-        // part and its increasing part are compressive.
+        // The pressure 2 − λ (1 + s) is compressive for all s in [−1, 1] if λ ≤ 1/2. A pressure is
+        // compressive for every λ if its constant part and its part proportional to λ are both compressive.
         assert_eq!(falling.first_tension_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_tension_below(f64::INFINITY), None);
         // The pressure −1 + 2λ is negative at every factor λ below 1/2, so no factor below 0.25 is free of
         // tension.
         assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_tension_below(0.25), None);
-        // If the constant part and the increasing part of the pressure are tensile, the factor is 0.
+        // If the constant part of the pressure and its part proportional to λ are both tensile, the returned
+        // factor λ is 0.
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
 

@@ -186,8 +186,8 @@ mod tests {
 
     #[test]
     fn rigid_footings() {
-        // A rigid footing lifts off at the moment M = F l/6 on Winkler ground, and at M = (1/2 − 4/27) F l on
-        // Kikuchi's ground.
+        // A rigid footing of length l under a central force F lifts off at the moment M = F l/6 on Winkler ground, and
+        // at M = (1/2 − 4/27) F l on Pasternak ground with μ = k l².
         let footing = |ground| {
             rigid(ground)
                 .with_load(Load::point_force(0.5, 2.0))
@@ -212,8 +212,8 @@ mod tests {
 
     #[test]
     fn a_heavy_infinite_beam_under_a_force() {
-        // By Weitsman (1970), the force F = 2 e^π q/β lifts off a beam with the weight q at the distance π/β to
-        // each side of the force, with β⁴ = k/(4 EI).
+        // By Weitsman (1970), an infinite beam of weight q per length under a downward force F begins to lift off the
+        // ground at F = 2 e^π q/β. Lift-off occurs at the distance π/β on each side of the force, with β⁴ = k/(4 EI).
         let model = Model::new(Beam::uniform(60.0, 1.0), Foundation::winkler(4.0))
             .with_load(Load::uniform_force(0.0, 60.0, 3.0))
             .with_load(Load::point_force(30.0, 1.0));
@@ -225,7 +225,8 @@ mod tests {
 
     #[test]
     fn a_weightless_beam_lifts_off_at_once_or_never() {
-        // By Lovtsov (2025), forces over both ends lift off the middle of the beam if αl > π, with α⁴ = k/(4 EI).
+        // By Lovtsov (2025), a beam of length l under downward forces at its ends lifts off in the middle if αl > π,
+        // with α⁴ = k/(4 EI).
         for (l, wanted) in [(3.1, FirstLiftOff::Never), (3.2, FirstLiftOff::AtOnce)] {
             let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))
                 .with_load(Load::point_force(0.0, 1.0))
@@ -363,8 +364,8 @@ mod tests {
         assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
     }
 
-    /// Both static reactions of forces at the middle vanish at the same factor. The result names the
-    /// motion that lifts the left end, not the one that lifts the right end.
+    /// Under forces at the middle of the beam, the static reactions at both ends vanish at the same load factor. The
+    /// result names the motion that lifts the left end, not the one that lifts the right end.
     #[test]
     fn of_two_simultaneous_motions_the_first_is_named() {
         let model =
@@ -376,9 +377,9 @@ mod tests {
         assert_eq!(motion.work.to_bits(), 0);
     }
 
-    /// The right piece has no load and may lift without work, so the left piece decides. The left piece is in
-    /// equilibrium up to the factor at which the reaction at its left end becomes zero. For a load q on [0, l/2]
-    /// this factor is ql/4.
+    /// A hinge divides the beam in the middle. The right piece has no load and can lift without work, so the left piece
+    /// determines the load factor of the loss of equilibrium. A load q on [0, l/2] and an increasing upward force λ at
+    /// the left end act on the left piece. The static reaction at the left end becomes zero at λ = ql/4.
     #[test]
     fn an_unloaded_piece_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {

@@ -76,8 +76,7 @@ pub(crate) fn first_lift_off(
             (least, found) = (growth, Some(x));
         }
         if let Some(x) = found {
-            // The beam cannot lift off beyond the factor of the loss of equilibrium, except by rounding
-            // error.
+            // First lift-off cannot occur above the load factor at which equilibrium is lost, except by rounding error.
             let factor = (from + least).min(loss);
             prove(parts, factor.min(BEFORE_LOSS * loss), &acts, stability, cancel)?;
             return Ok(FirstLiftOff::At { factor, x });

@@ -1,4 +1,4 @@
-//! Splits the loads into constant and increasing loads, and computes the factor of the loss of equilibrium.
+//! Splits the loads into constant and increasing loads, and computes the load factor at which equilibrium is lost.
 
 use crate::existence::existence::existence;
 use crate::existence::verdict::{RigidMotion, Verdict};
@@ -102,9 +102,10 @@ impl<'a> Parts<'a> {
 /// The factor beyond which no equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LossOfEquilibrium {
-    /// No equilibrium exists at any factor, however small. This rigid motion nowhere presses on the ground, and
-    /// the loads do positive work in it. The work is that of the constant loads. If the work of the constant
-    /// loads is zero, it is the work of the increasing loads at factor 1.
+    /// No equilibrium exists at any factor, however small. In this rigid motion the beam presses nowhere on the ground,
+    /// and the constant loads do positive work. If the constant loads do no work, the increasing loads at factor 1 do
+    /// positive work. If the loads do no work, one of them needs a concentrated contact force that the ground cannot
+    /// exert.
     AtOnce(RigidMotion),
     /// An equilibrium exists for every factor below `factor`, but for no factor slightly above it.
     At {

@@ -44,9 +44,9 @@ pub(crate) struct Cell<R = f64> {
 /// Differences of EI, k and μ from their values at the middle of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Varies<R = f64> {
-    /// Coefficients of s, s², … in EI(s).
+    /// Coefficients of s, s², … in EI, with the coordinate s ∈ \[−1, 1\] in the cell.
     stiffness: [R; Profile::MOST - 1],
-    /// Coefficients of s, s², … in k(s) and μ(s).
+    /// Coefficients of s, s², … in k and μ, with the coordinate s ∈ \[−1, 1\] in the cell.
     subgrade: [R; GROUND - 1],
     shear_layer: [R; GROUND - 1],
     /// Values of μ at both ends of the cell if μ varies. Neighbouring cells of a segment have bitwise equal values
@@ -54,7 +54,7 @@ pub(crate) struct Varies<R = f64> {
     shear_layer_ends: Option<[R; 2]>,
 }
 
-/// Number of coefficients of k(s) and μ(s).
+/// Number of coefficients that are stored for each of k and μ, as polynomials of the position in a cell.
 pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 
 /// Radius of a circle around a cell's middle, in half lengths, inside which EI, S + N, k and μ must have no complex
@@ -62,7 +62,8 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 const ZERO_FREE_RADIUS: f64 = 10.0;
 
 impl<R: Real> Cell<R> {
-    /// Returns the coefficients of w − g₀ from those of w. In contact, w − g₀ is the ground displacement u.
+    /// Returns the coefficients of w − g₀ from those of the deflection w, with the initial gap g₀. In contact, w − g₀
+    /// is the ground displacement u.
     pub fn above_gap(&self, deflection: &[R]) -> Coefficients<R> {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
@@ -71,8 +72,8 @@ impl<R: Real> Cell<R> {
         c
     }
 
-    /// Returns the coefficients of the obstacle ψ = w − g₀ − u₀ from those of w, with the free-field settlement
-    /// u₀.
+    /// Returns the coefficients of the obstacle ψ = w − g₀ − u₀ from those of the deflection w, with the initial gap g₀
+    /// and the free-field settlement u₀.
     pub fn obstacle(&self, deflection: &[R]) -> Coefficients<R> {
         let mut c = self.above_gap(deflection);
         if self.has_free_field() {
@@ -168,17 +169,17 @@ impl<R: Real> Cell<R> {
         Coefficients::from(&curvature.map(|c| self.stiffness * c)[..])
     }
 
-    /// The coefficients of EI(s).
+    /// Coefficients of the bending stiffness EI as a polynomial of s ∈ \[−1, 1\] in the cell.
     pub fn stiffness_along(&self) -> [R; Profile::MOST] {
         with_first(self.stiffness, &self.varies.stiffness)
     }
 
-    /// The coefficients of k(s).
+    /// Coefficients of the subgrade modulus k as a polynomial of s ∈ \[−1, 1\] in the cell.
     pub fn subgrade_along(&self) -> [R; GROUND] {
         with_first(self.subgrade, &self.varies.subgrade)
     }
 
-    /// The coefficients of μ(s).
+    /// Coefficients of the stiffness μ of the shear layer as a polynomial of s ∈ \[−1, 1\] in the cell.
     pub fn shear_layer_along(&self) -> [R; GROUND] {
         with_first(self.shear_layer, &self.varies.shear_layer)
     }
@@ -225,7 +226,8 @@ impl<R: Real> Cell<R> {
         })
     }
 
-    /// Whether one short power series represents open ground on a length of 2·`half` in the cell.
+    /// Whether one short power series represents the surface of ground without contact on a length of 2·`half` in the
+    /// cell.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
         if !self.ground_varies() || self.shear_layer.value() == 0.0 {
             return true;

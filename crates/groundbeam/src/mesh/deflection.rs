@@ -40,7 +40,7 @@ impl<R: Real> Deflection<'_, R> {
         self.mesh.cells[i].obstacle(self.cell(i))
     }
 
-    /// Value at a point of ψ, the deflection minus the initial gap and the free-field settlement.
+    /// Returns the value of ψ at a point. ψ is the deflection minus the initial gap and the free-field settlement.
     pub fn obstacle_at(&self, point: BeamPoint) -> R {
         value(self.cell(point.cell), point.s) - gap_at(&self.mesh.cells[point.cell], point.s)
     }
@@ -68,7 +68,8 @@ impl<R: Real> Deflection<'_, R> {
         self.mesh.cells[point.cell].global(point.s)
     }
 
-    /// Value at a point of μψ', where ψ is the deflection minus the initial gap and the free-field settlement.
+    /// Returns the value of μψ' at a point, with the stiffness μ of the shear layer. ψ is the deflection minus the
+    /// initial gap and the free-field settlement.
     pub fn flux(&self, point: BeamPoint) -> R {
         let cell = &self.mesh.cells[point.cell];
         let slope = jet(self.cell(point.cell), point.s)[1] * 2.0 / cell.length() - cell.gap_slope;

@@ -153,7 +153,7 @@ pub(crate) fn at<R: Real>(line: &Line<R>, right: bool, cells: &[Cell<R>], distan
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
-            // An infinite strip has no load.
+            // A strip that extends to infinity has no load, and cannot be interpolated between its ends.
             if strip.load == [R::ZERO; 2] {
                 return R::ZERO;
             }
@@ -200,8 +200,8 @@ fn value_at<R: Real>(
         .unwrap_or(R::ZERO)
 }
 
-/// Returns the strips outside one end of the beam, ordered outward and cut at the ends of loads. Also returns whether
-/// the settlement of the far end is held at zero.
+/// Returns the strips of ground outside one end of the beam, ordered from this end outward and cut at the ends of
+/// loads. Also returns whether the settlement of the far end is held at zero.
 fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
     let (l, beyond) = (line.length, line.beyond[usize::from(right)]);
     let outward = |x: f64| if right { x - l } else { -x };
@@ -233,7 +233,8 @@ fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
     (strips, beyond.held)
 }
 
-/// Adds the distributed loads on the ground to strips that are ordered outward.
+/// Adds the distributed loads on the ground to the strips of ground outside one end of the beam. The strips are ordered
+/// from this end outward.
 fn load_strips<R: Real>(loads: &[GroundLoad<R>], strips: &mut [Strip<R>], right: bool) {
     let middle = |strip: &Strip<R>| 0.5 * (strip.x[0] + strip.x[1]);
     for load in loads.iter().filter(|load| !load.is_point()) {
@@ -245,7 +246,7 @@ fn load_strips<R: Real>(loads: &[GroundLoad<R>], strips: &mut [Strip<R>], right:
             let first = strips.partition_point(|strip| middle(strip) >= to);
             first..strips.partition_point(|strip| middle(strip) > from).max(first)
         };
-        // An infinite strip has no load.
+        // Strips that extend to infinity have no load and are skipped.
         for strip in strips[within].iter_mut().filter(|s| s.x.iter().all(|x| x.is_finite())) {
             for (sum, x) in strip.load.iter_mut().zip(strip.x) {
                 *sum += load.at(x);

@@ -36,7 +36,8 @@ pub(crate) fn heights<R: Real>(
     (values, so_far.last().copied())
 }
 
-/// Returns the equivalent two-port of the ground out of contact between two points; `None` if the points coincide.
+/// Returns the three equivalent springs (the [`TwoPort`]) of the ground between two points. Beam and ground are not in
+/// contact between the points. Returns `None` if the points coincide.
 pub(crate) fn open_link<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,
@@ -47,8 +48,10 @@ pub(crate) fn open_link<R: Real>(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// Returns the two-ports of the ground out of contact between two points, cell by cell. If `from` or `to` is `None`,
-/// all ground up to the left or the right end of the run and beyond this end is included.
+/// Returns the three equivalent springs (the [`TwoPort`]) of the ground between two points, separately for each cell.
+/// Beam and ground are not in contact between the points. The [`GroundRun`] is a series of cells that all have a shear
+/// layer. If `from` is `None`, all ground on the left of `to` is included, also outside the run. If `to` is `None`, all
+/// ground on the right of `from` is included, also outside the run.
 pub(crate) fn open_links<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,

@@ -1,4 +1,4 @@
-//! Loads of (4.7), each with its type and with its position and size.
+//! The loads in equation (4.7) of Kikuchi's paper, each with its type, position and size.
 
 /// The type of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -151,17 +151,18 @@ impl Load {
         Load { action, extent: Extent::Distributed { from, to, start, end }, on_ground: false }
     }
 
-    /// Creates a force \[N\] at a point \[m\], fᵢ of (4.7).
+    /// Creates a point force \[N\] at a position \[m\]. It is fᵢ in equation (4.7) of Kikuchi's paper.
     pub fn point_force(at: f64, force: f64) -> Self {
         Self::point(Action::Force, at, force)
     }
 
-    /// Creates a moment \[N·m\] at a point \[m\], gᵢ of (4.7).
+    /// Creates a point moment \[N·m\] at a position \[m\]. It is gᵢ in equation (4.7) of Kikuchi's paper.
     pub fn point_moment(at: f64, moment: f64) -> Self {
         Self::point(Action::Moment, at, moment)
     }
 
-    /// Creates a force \[N/m\] along a stretch \[m\], linear between the ends of the stretch, f(x) of (4.7).
+    /// Creates a force \[N/m\] along a stretch \[m\], linear between the ends of the stretch. It is f(x) in equation
+    /// (4.7) of Kikuchi's paper.
     pub fn distributed_force(from: f64, to: f64, start: f64, end: f64) -> Self {
         Self::distributed(Action::Force, [from, to], [start, end])
     }
@@ -171,7 +172,8 @@ impl Load {
         Self::distributed_force(from, to, force, force)
     }
 
-    /// Creates a moment \[N·m/m\] along a stretch \[m\], linear between the ends of the stretch, g(x) of (4.7).
+    /// Creates a moment \[N·m/m\] along a stretch \[m\], linear between the ends of the stretch. It is g(x) in equation
+    /// (4.7) of Kikuchi's paper.
     pub fn distributed_moment(from: f64, to: f64, start: f64, end: f64) -> Self {
         Self::distributed(Action::Moment, [from, to], [start, end])
     }

@@ -45,7 +45,8 @@ pub struct Model {
     pub beam: Beam,
     /// The ground: its spring and shear constants.
     pub foundation: Foundation,
-    /// Loads on the beam and on the ground, (4.7). Empty if the model has no loads.
+    /// Loads on the beam, as in equation (4.7) of Kikuchi's paper, and loads on the ground. Empty if the model has no
+    /// loads.
     pub loads: Vec<Load>,
     /// Supports of the beam besides the ground. Empty if the beam has no supports.
     pub supports: Vec<Support>,
@@ -135,8 +136,8 @@ impl Model {
         Model { foundation, ..self.clone() }
     }
 
-    /// Returns the model with the values of k and μ that its soil data give before the solve. Returns the model
-    /// unchanged if k and μ are given.
+    /// Returns the model with k and μ computed from its soil data alone, without a solution of the beam. Returns the
+    /// model unchanged if its k and μ are given.
     pub(crate) fn on_given_ground(&self) -> Cow<'_, Model> {
         match &self.foundation.soil {
             None => Cow::Borrowed(self),

@@ -189,7 +189,8 @@ impl From<f64> for Profile {
 /// A quantity on a stretch of the beam, as a polynomial of s ∈ \[−1, 1\] along the stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CellPolynomial {
-    /// Coefficients of the powers of s.
+    /// Coefficients of the powers of s, from the constant term upwards. The coordinate s is −1 and 1 at the ends of the
+    /// stretch.
     pub coefficients: [f64; Profile::MOST],
     /// Values of the quantity at both ends of the stretch. Adjacent stretches of a segment have bitwise equal values
     /// at their common end.

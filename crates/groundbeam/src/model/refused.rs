@@ -11,9 +11,11 @@ pub(crate) struct Refusal {
     hint: &'static str,
 }
 
+/// Refusal of a method with concentrated pressures at the nodes, (5.5) of Kikuchi's paper, on ground that violates μ > 0,
+/// (4.9) of this paper.
 pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
     code: "GB603",
-    message: "the concentrated pressures (5.5) of this method need a shear layer (4.9), but mu is zero somewhere under the beam",
+    message: "the concentrated pressures at the nodes in this method need a shear layer, but mu is zero somewhere under the beam",
     hint: "use the method `exact`",
 };
 
@@ -55,7 +57,7 @@ pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
 
 pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
     code: "GB612",
-    message: "this compression exceeds the buckling load of the beam without ground; such a beam has no load factors",
+    message: "this compression exceeds the buckling load of the beam without ground, so load factors cannot be computed",
     hint: "omit the load factors; the result then contains the critical compression, at which the beam buckles",
 };
 
