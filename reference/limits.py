@@ -27,7 +27,7 @@ def weightless_winkler():
         ("slope outside the contact zone", 1 / (4 * mp.sinh(half)), "slope", 0.0, TIGHT),
     ]
     note = "long weightless beam on tensionless Winkler ground, with b = (k/(4 EI))^(1/4): w = F b coth(pi/2)/(2 k) and "
-    note += "M = F coth(pi/2)/(4 b) under the force, slope F b^2/(k sinh(pi/2)) outside the contact zone"
+    note += "M = F coth(pi/2)/(4 b) under the force, and the slope F b^2/(k sinh(pi/2)) outside the contact zone"
     return "weightless-winkler", model, note, checks
 
 
@@ -84,7 +84,8 @@ def rigid_pasternak(m):
     ]
     note = "limit of a rigid beam on Pasternak ground, with the contact length m and lam = sqrt(mu/k); the force F has the "
     note += "distance m^2 (m + 3 lam)/(3 (m + 2 lam)^2) from the end of the beam; the slope is "
-    note += "phi = 2 F/(k (m + 2 lam)^2), w = phi (m + lam) and the end force is k phi lam (m + 2 lam) at the loaded end"
+    note += "phi = 2 F/(k (m + 2 lam)^2); at the loaded end, w = phi (m + lam) and the concentrated ground force is "
+    note += "k phi lam (m + 2 lam)"
     return f"rigid-pasternak-{mp.nstr(m, 3)}", model, note, checks
 
 

@@ -174,7 +174,8 @@ def _assemble(model, x):
 
 
 def _cholesky(H):
-    """Computes the Cholesky factor L with L L' = H. L has the storage of H, but its diagonal entries are 1/L(i, i)."""
+    """Computes the Cholesky factor L with L L' = H. L is stored like H, but with 1/L(i, i) in place of its diagonal
+    entries L(i, i)."""
     n, b = len(H), HALF_BAND
     L = [row[:] for row in H]
     for i in range(n):

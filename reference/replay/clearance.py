@@ -49,13 +49,16 @@ def stretch(r, first, end):
             if not here[side]:
                 continue
             reach = ramp(r, i, side, here[1 - side], depth)
-            r.shows(f"(10) the lower bound of the clearance next to node {i + side} is not proven", reach is not None)
+            r.shows(
+                f"the lower bound of the clearance next to node {i + side} is not proven, see (10) in docs/proof.md",
+                reach is not None,
+            )
             if reach is not None:
                 interval[side] = reach
                 stiffness += piece.shear.high / abs((reach - piece.t[side]) * piece.half)
         if interval[0] < interval[1]:
             clear = on(interval, lambda t: least(r, i, t, 0, r.closing[i]) >= -depth)
-            r.shows(f"(10) the lower bound -D of the clearance on piece {i} is not proven", clear)
+            r.shows(f"it is not proven that the clearance on piece {i} is at least -D, see (10) in docs/proof.md", clear)
     for side, node in ((0, first), (1, end)):
         if node == (0, len(r.pieces))[side] and not touching[side]:
             stiffness += high(r.outside[side])

@@ -145,7 +145,7 @@ class Contact:
         return piece.pressure_under(r.along[i])(t) > self.errors[i]["p"]
 
     def flux_error(self, node, side):
-        """Returns the bound of the error of the flux μu′ on one side of a touching node."""
+        """Returns the bound of the error of the flux μu′ on one side of a node at which the beam touches the ground."""
         r, j = self.r, node - 1 if side == 0 else node
         if r.layered(node)[side]:
             if r.pieces[j].touches:

@@ -221,7 +221,8 @@ def root_g_at(r, node):
 
 
 def arc(r, i, t):
-    """Returns u and u′ at the position t of an open piece of a shear layer."""
+    """Returns the settlement u of the ground and its slope u′ at the position t of a piece of a shear layer that is out
+    of contact."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return r.along[i](t), piece.d(r.along[i])(t)

@@ -87,7 +87,7 @@ class Piece:
         return pressure if self.q is None else pressure - self.q
 
     def d(self, p):
-        """Returns the derivative of a polynomial p(t) with respect to x."""
+        """Returns the derivative with respect to x of a polynomial p(t), where t = (x − middle)/half."""
         return p.derivative() * (1 / self.half)
 
     def ends(self, p):
@@ -196,7 +196,7 @@ class Problem(Checks):
         for name in ("admissible at a node", "tolerance of a force"):
             self.complete(name, len(self.nodes))
         if any(len(line["bounds"]) != len(self.pieces) for line in self.all("round")):
-            raise NotReplayed("a round does not have bounds for every piece")
+            raise NotReplayed("a line `round` of the log does not have error bounds for every piece")
         self.shears = any(piece.stiffness is not None for piece in self.pieces)
 
     def all(self, name):

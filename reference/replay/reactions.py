@@ -54,7 +54,7 @@ def sums(r):
         r.meets(f"the rotational spring at node {i}", total(lambda s: s.springs[1]) - (node.turning or arb(0)))
         rigid = [support for support in here if support.springs is None]
         r.shows(
-            f"either the model or node {i} of the log has a rigid support, but not both",
+            f"the model and the log disagree: only one of them has a rigid support at node {i}",
             (node.rigid is not None) == bool(rigid),
         )
         for support in rigid:

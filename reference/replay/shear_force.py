@@ -11,7 +11,8 @@ REACHES = (0, 1, 3, 7, 15)
 
 
 def bounds(r, contact):
-    """Returns the error bounds of shear force and slope on each piece, from the bounds and the contact set of one round."""
+    """Returns the error bounds of shear force and slope on each piece. `contact` contains the contact set and the error
+    bounds of the other quantities."""
     errors = contact.errors
     spread, edges = load_errors(r, contact)
     nodes = [node_error(r, contact, i) for i in range(len(r.nodes))]
@@ -66,7 +67,8 @@ def on_piece(r, error, i, total):
 
 
 def slid(r, i):
-    """Returns |P||η|/S, the contribution of the residual η = S(w′ − φ) − V to the error of the shear force."""
+    """Returns |P||η|/S, the contribution of the residual η = S(w′ − φ) − V to the error of the shear force V. P is the
+    axial force, S the shear stiffness of the beam, w′ its slope and φ its rotation."""
     piece = r.pieces[i]
     return arb(0) if piece.stiffness is None else upper(r.force) * piece.size(piece.misfit) / piece.stiffness.low
 
@@ -130,7 +132,8 @@ def open_pressure(r, i):
 
 
 def size_beside(piece, p, side, distance):
-    """Returns a bound of a polynomial within a distance of one end of a piece."""
+    """Returns a bound of the absolute value of the polynomial p on the part of a piece that lies within `distance` of
+    the end `side`."""
     part = upper(distance / piece.half)
     if not part < 1:
         return piece.size(p)
@@ -141,8 +144,8 @@ def size_beside(piece, p, side, distance):
 
 
 def open_pressure_beside(r, i, side, distance):
-    """Returns the bound of `open_pressure` within a distance of one end of the piece. On this distance u − q/k
-    changes by at most its largest slope times the distance."""
+    """Returns the bound of `open_pressure` for the part of the piece that lies within `distance` of the end `side`. On
+    this part u − q/k changes by at most its largest slope times `distance`."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return size_beside(piece, piece.pressure_under(r.along[i]), side, distance)

@@ -23,7 +23,8 @@ def check(r):
         interval, limit = list(piece.t), r.errors[i]["w"]
         for side in (0, 1):
             theta = zones.get((i, side))
-            # At a step of g₀ or of a load on the ground, w − g₀ − q/k changes sign without being zero.
+            # At a step of the initial gap g₀ or of a load q on the ground, w − g₀ − q/k jumps and so changes its sign
+            # without being zero. Here w is the deflection and k the subgrade modulus.
             steps = field(piece.t[side]) > limit
             if theta is None:
                 r.shows(

@@ -28,7 +28,8 @@ def stiffest(r, pieces):
 
 
 def held(r, nodes):
-    """Returns Σκ and Σκ_θ, the sums of the spring stiffnesses at some nodes."""
+    """Returns Σκ and Σκ_θ, the sums of the stiffnesses of the translational and the rotational springs at the given
+    nodes."""
     both = [r.nodes[i].stiff() for i in nodes]
     return sum((spring for spring, _ in both), arb(0)), sum((turning for _, turning in both), arb(0))
 
@@ -121,7 +122,8 @@ def lifted_side(r, node, side):
 
 
 def turned_side(r, node, side):
-    """Returns K², the square of the energy norm, of the test function z = t(1 − t/h)² on one side of a clamp."""
+    """Returns the least K² over h of the test function z = t(1 − t/h)² on one side of a clamp. K is the energy norm of
+    z, and t ≤ h is the distance from the clamp."""
     other, _ = next_obstacle(r, node, side)
     return arb(0) if other == node else kink(*beside(r, node, other))
 

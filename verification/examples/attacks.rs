@@ -1,7 +1,7 @@
 //! Compares the proven bounds of wrong answers with the true solution. `… --example attacks -- 10000 FIRST` tests
 //! 10000 random models from the number FIRST on; the solution of the solver counts as the true solution. `… --example
-//! attacks -- exact 10` tests ten wrong answers for each model of `reference/answers`, whose true solution is known
-//! in 60 digits.
+//! attacks -- exact 10` tests ten wrong answers for each model of `reference/answers`. The true solutions of these
+//! models were computed with 60 digits.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;

@@ -54,8 +54,9 @@ pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     }
 }
 
-/// Returns the largest ratio of |claimed − true| to the proven bound, at positions where no field jumps. If `ground`
-/// is false, the settlement is not compared, because the claim has another ground.
+/// Returns the largest ratio of |claimed − true| to the proven bound, at positions where no field jumps. `ground`
+/// states whether both solutions belong to models with the same ground. If it is false, the settlements are not
+/// compared.
 pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: bool) -> f64 {
     let length = truth.model().beam.length;
     let mut worst: f64 = 0.0;

@@ -1,8 +1,9 @@
-//! Solves the paper's discrete problem (5.10)–(5.11) with dense matrices.
+//! Solves the discrete problem (5.10)–(5.11) of Kikuchi's paper with dense matrices.
 //!
 //! The mesh is uniform, and all point loads act at nodes. This file shares no code with the library. The element
 //! stiffness for the deflections and slopes of both ends is taken from textbooks, and the flexibility matrix of the ground
-//! is computed by (2.4). Under tension exact beam elements replace (5.2).
+//! is computed by Green's function (2.4) of the paper. In a beam under tension, exact beam elements replace the cubic
+//! elements (5.2) of the paper.
 
 use crate::element;
 use groundbeam::{
@@ -10,18 +11,21 @@ use groundbeam::{
     model::{Action, Extent},
 };
 
-/// The matrices of the Lagrangian (5.9), ½WᵀKW − FᵀW − ½pᵀGp + pᵀw. The deflection has the form (5.3), the settlement
-/// the form (5.6).
+/// The matrices K and G and the load vector F of the Lagrangian ½WᵀKW − FᵀW − ½pᵀGp + pᵀw, (5.9) of Kikuchi's paper. W
+/// contains the deflections w and the slopes of the nodes, and p contains the ground forces at the nodes. The deflection
+/// between the nodes is (5.3) of the paper, the settlement (5.6).
 #[derive(Debug, Clone)]
 pub struct Dense {
     /// Number of nodes.
     pub nodes: usize,
-    /// Stiffness matrix K of (5.4). Its unknowns are w₁, θ₁, w₂, θ₂, …, followed by one additional slope for each
-    /// hinge, the slope of the element to the right of the hinge.
+    /// Stiffness matrix K of the beam, (5.4) of Kikuchi's paper. Its unknowns are the deflections and slopes w₁, θ₁,
+    /// w₂, θ₂, … of the nodes, followed by one additional slope for each hinge, the slope of the element to the right of
+    /// the hinge.
     pub stiffness: Vec<Vec<f64>>,
     /// Load vector F, with one entry for each unknown.
     pub load: Vec<f64>,
-    /// Flexibility matrix G of (5.7) and (5.8), with one row for each node.
+    /// Flexibility matrix G of the ground, (5.7) and (5.8) of Kikuchi's paper. Entry (i, j) is the settlement of node i
+    /// under a unit force at node j.
     pub flexibility: Vec<Vec<f64>>,
 }
 

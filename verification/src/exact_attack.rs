@@ -94,7 +94,7 @@ fn wrong_contact(contact: &ContactSet, exact: &Exact, length: f64) -> Option<Str
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
         match shown.last_mut() {
-            // A proven contact region is cut where a shear layer ends, so adjacent regions are joined.
+            // The proof splits a contact region where a shear layer ends. The adjacent parts are joined again here.
             Some(last) if last[1] == region.from => last[1] = region.to,
             _ => shown.push([region.from, region.to]),
         }

@@ -272,7 +272,8 @@ fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
     }
 }
 
-/// Returns the top folder or top file of the crate that contains a file.
+/// Returns the name of the top-level folder of the crate in which `file` lies. If `file` lies in no folder, returns its
+/// own name without `.rs`.
 pub fn module_of(file: &str) -> &str {
     file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
 }

@@ -5,7 +5,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The multiprecision answer for one model; `reference/README.md` describes the keys.
+/// The reference solution of one model, computed in multiprecision arithmetic; `reference/README.md` describes the keys.
 #[derive(Debug, Deserialize)]
 pub struct Answer {
     /// Name of the model.
@@ -83,20 +83,20 @@ pub struct Stretch {
     pub touches: bool,
 }
 
-/// The multiprecision answer for a beam that is balanced on one corner of the ground.
+/// The multiprecision solution for a beam that is balanced on one corner of the ground.
 #[derive(Debug, Deserialize)]
 pub struct Balance {
     /// Name of the model.
     pub name: String,
     /// The model file.
     pub model: String,
-    /// Position of the corner.
+    /// Position of the corner of the ground on which the beam is balanced.
     pub at: f64,
-    /// Contact force at the corner.
+    /// Contact force at the corner of the ground on which the beam is balanced.
     pub force: f64,
-    /// Deflection at the corner.
+    /// Deflection of the beam at the corner of the ground on which it is balanced.
     pub deflection: f64,
-    /// Settlement at the corner.
+    /// Settlement of the ground at its corner on which the beam is balanced.
     pub settlement: f64,
     /// The least and the largest slope at which the beam is in equilibrium.
     pub slopes: [f64; 2],

@@ -1,4 +1,4 @@
-//! Draws random models over settlement troughs, and computes how their results change with twice as many chords.
+//! Compares the results of random models whose settlement troughs are replaced by n and by 2n chords (straight segments).
 
 use groundbeam::{Field, Model, Outcome, Solution, model::GapPoint, solution::Range, solve};
 use groundbeam_file::{Diagnostics, Document, parse};
@@ -13,7 +13,7 @@ pub struct Trough {
     pub at: f64,
     /// Largest settlement S.
     pub settlement: f64,
-    /// Width i of the trough, the distance of the inflection point from x₀.
+    /// Width i of the trough, the distance of its inflection points from its centre x₀.
     pub width: f64,
 }
 
@@ -190,9 +190,10 @@ fn edges(solution: &Solution) -> Vec<Edge> {
     openings.flat_map(ends).collect()
 }
 
-/// Returns the largest distance of an edge in `from` to the nearest edge in `to`. Over a shear layer the beam lifts
-/// off at every corner of the ground that points down. If only one solution has an open span at such a corner, the
-/// distance is half the length of this span.
+/// Returns the largest distance from a contact edge of one solution to the nearest contact edge of the other solution.
+/// The edges are given in `from` and `to`. The distance of an edge counts as at most half the length of the open span
+/// that ends at this edge. A beam on a shear layer lifts off at every V-shaped corner of the ground surface, and some of
+/// these corners exist in the model of only one solution.
 fn apart(from: &[Edge], to: &[Edge]) -> f64 {
     let distance = |edge: &Edge| {
         to.iter().map(|other| (edge.at - other.at).abs()).fold(0.5 * edge.opening, f64::min)

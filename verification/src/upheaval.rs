@@ -1,8 +1,8 @@
-//! Computes beams under compression on one-way springs at the nodes of a mesh, by Newton's method in small steps of compression.
+//! Solves beams under compression on one-way springs at the nodes of a mesh, by Newton's method in small steps of compression.
 //!
 //! This file shares no code with the library. The stiffness matrices of the cubic elements are taken from textbooks,
-//! and each node has one spring for the ground. A Cholesky factorisation of the whole matrix decides about stability.
-//! The beam and the Winkler ground must be uniform. The error is of second order in the element length.
+//! and each node has one spring for the ground. An equilibrium is stable if the whole stiffness matrix has a Cholesky
+//! factorisation. The beam and the Winkler ground must be uniform. The error is of second order in the element length.
 
 use crate::element;
 use groundbeam::{

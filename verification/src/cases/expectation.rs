@@ -12,7 +12,7 @@ use serde_json::Value as Json;
 pub struct Expectation {
     /// Number of the line in the file, counted from 1.
     pub line: usize,
-    /// The result to which the quantity belongs.
+    /// The result from which the computed value of the quantity is taken.
     pub of: Of,
     /// The text of the quantity.
     pub name: String,
@@ -29,7 +29,7 @@ pub struct Expectation {
     pub(super) scale: f64,
 }
 
-/// The result to which an expected quantity belongs.
+/// The result from which the computed value of an expected quantity is taken.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Of {
     /// The result of a file without combinations.

@@ -1,4 +1,4 @@
-//! Compares two answers to one model within the bounds of their certificates, for answers of other machines and methods.
+//! Compares two answers to one model, for example of two machines or methods, within the bounds of their certificates.
 //!
 //! Let g be the relative gap of an answer. √g bounds the error of this answer in the energy norm, relative to the
 //! energy. With e = √g + √g′ of both answers, the settlements at a point differ by at most the sum of both settlement
@@ -36,8 +36,8 @@ const FLOOR: f64 = 1e-9;
 /// Relative limit that replaces `FLOOR` for the shear force V at supports, and in models with a contact zone or a gap
 /// between zones that is shorter than `EDGE` times the beam length.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
-/// Limits of the differences of fields and of their derivatives, as multiples of e (see the documentation of this
-/// file).
+/// Limits of the differences of fields and of their derivatives, as multiples of e = √g + √g′. Here g and g′ are the
+/// relative energy gaps of the stored and the present answer.
 const SHARES: [f64; 2] = [3.0, 100.0];
 
 /// Returns all differences between a frozen answer and the present answer that exceed the bounds. A frozen answer
@@ -119,7 +119,7 @@ impl<'a> Comparison<'a> {
         self.energy();
     }
 
-    /// Records two numbers that differ by more than a limit, or of which only one is a number.
+    /// Records two values if they differ by more than a limit, or if exactly one of them is NaN.
     fn hold(&mut self, quantity: &str, frozen: f64, present: f64, limit: f64) {
         let distance = (frozen - present).abs();
         if distance <= limit || frozen.to_bits() == present.to_bits() {
@@ -134,7 +134,8 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Returns the size of a field, usually its largest absolute value in the frozen answer.
+    /// Returns the magnitude of a field to which the accepted differences are relative: the largest absolute value of
+    /// the field in the stored answer, or a larger value that accounts for rounding errors.
     fn size(&self, field: Field) -> f64 {
         let own = |field: Field| {
             let values = self.answer().numbers(&format!("extremes_{}", field.name()));
@@ -242,7 +243,8 @@ impl<'a> Comparison<'a> {
                 self.hold(&format!("{key}[{i}]"), old, new, limits[i % limits.len()]);
             }
         }
-        // A concentrated force that occurs in one answer only must be as small as a rounding error.
+        // A concentrated force that occurs only in the stored or only in the present answer must be as small as a
+        // rounding error.
         let [old, new] =
             [self.answer(), &present].map(|record| record.numbers("concentrated_forces"));
         let near = EDGE * self.length();
@@ -257,7 +259,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// Compares settlements and moments within the proven bounds of both answers.
+    /// Compares the settlements and moments of the stored and the present answer within their proven error bounds.
     fn settlements_and_moments(&mut self) {
         let bounds = self.frozen.certificate.numbers("bounds");
         // The last bound in a stored certificate limits the error of the moment. If the pinned older version of the

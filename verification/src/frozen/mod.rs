@@ -94,7 +94,7 @@ impl Frozen {
         model::read(&self.model)
     }
 
-    /// Whether the answer has the fields at every position.
+    /// Whether the stored answer contains the values of the fields at all evaluated positions, not only at five.
     pub fn is_in_full(&self) -> bool {
         self.answer.numbers("fields_deflection").len() > answer::STEPS
     }

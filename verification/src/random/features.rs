@@ -47,8 +47,8 @@ pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<
     beam
 }
 
-/// Sets a shear stiffness of 10⁻² to 10⁴ times EI/L², where L is the wave length of the beam, for the whole beam or on
-/// segments. On some segments the shear stiffness varies.
+/// Sets the shear stiffness of the whole beam or of segments to 10⁻² to 10⁴ times EI/L². Here L is the characteristic
+/// length 1/λ of the beam on its ground, but at most the beam length. On some segments the shear stiffness varies.
 pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     let wave = length / lambda_l.max(1.0);
@@ -100,7 +100,8 @@ pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// Adds one to four hinges, of which one in three is elastic. Sometimes removes the shear layer of the ground.
+/// Adds one to four hinges, each of which is elastic with the probability 1/3. Sometimes removes the shear layer of the
+/// ground.
 pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
     if dice.happens(0.25) {
@@ -117,7 +118,7 @@ pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// Varies k and μ along one to three stretches of the ground. One stretch in ten has no shear layer.
+/// Varies k and μ along one to three stretches of the ground. Each stretch has no shear layer with the probability 1/10.
 pub(super) fn vary_ground<R: Rng>(
     mut ground: Foundation,
     length: f64,
@@ -140,7 +141,8 @@ pub(super) fn vary_ground<R: Rng>(
     ground
 }
 
-/// Adds segments of other ground outside the beam, and free or held ends of the ground at various distances.
+/// Adds segments with other values of k and μ outside the beam. On each side, the ground then has a free or a held end
+/// at a random distance from the beam, or it is infinite.
 pub(super) fn change_beside<R: Rng>(
     mut ground: Foundation,
     length: f64,
@@ -199,7 +201,7 @@ pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// Returns up to three stretches of a beam. In one of three cases the only stretch is the whole beam.
+/// Returns up to three stretches of a beam. With the probability 1/3, the only stretch is the whole beam.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
         return vec![[0.0, length]];

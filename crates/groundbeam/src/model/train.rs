@@ -42,10 +42,10 @@ pub struct Axle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct UniformPart {
-    /// Distance of the front end of the load behind the first axle \[m\]. It is negative if the front end lies ahead
-    /// of the first axle, and −∞ for a load that is infinite to the front.
+    /// Distance \[m\] from the first axle back to the front end of the load. It is negative if the front end lies ahead
+    /// of the first axle, and −∞ if the load extends forward without end.
     pub from: f64,
-    /// Distance of the rear end of the load behind the first axle \[m\]; ∞ for a load that is infinite to the rear.
+    /// Distance \[m\] from the first axle back to the rear end of the load; ∞ if the load extends backward without end.
     pub to: f64,
     /// Intensity, down \[N/m\].
     #[cfg_attr(feature = "serde", serde(rename = "load"))]

@@ -36,8 +36,8 @@ struct Back {
     elements: usize,
 }
 
-/// Back-substitutes from the meeting node to both ends of the beam. Writes w, w' and the ground forces at all nodes
-/// in contact to `fields`.
+/// Back-substitutes from the node `meeting`, where the eliminations from both ends of the beam meet, to both ends of
+/// the beam. Writes the deflection w, the slope w' and the ground forces at all nodes in contact to `fields`.
 pub(super) fn unfold(
     sides: &mut [Side; 2],
     w: f64,

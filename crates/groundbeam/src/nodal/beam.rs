@@ -15,10 +15,12 @@ use crate::mesh::cell::Cell;
 /// Maximum length of an element relative to √(EI/P).
 pub(crate) const LONGEST_ELEMENT: f64 = 1.0;
 
-/// Number of coefficients of w(s). The first omitted term is below 1/18! of the sum.
+/// Number of coefficients of the power series of the deflection w in s = x/h, with the distance x from the left end of
+/// an element of length h. The first omitted term is less than 1/18! times the sum of the series.
 pub(crate) const NODAL_TERMS: usize = 18;
 
-/// A coefficient of w(s) is omitted if it is below this fraction of the larger of the coefficients of s² and s³.
+/// A coefficient of the power series of the deflection w(s) is omitted if it is below this fraction of the larger of
+/// the coefficients of s² and s³.
 const NEGLIGIBLE_TERM: f64 = 1e-17;
 
 /// A uniform beam element and the loads on it.

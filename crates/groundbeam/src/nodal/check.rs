@@ -1,4 +1,4 @@
-//! Check of a nodal solution by force and moment balance, signs of the ground forces and penetration, from nodal values.
+//! Checks the nodal values of a solution: balance of forces and moments, signs of the ground forces, and no penetration.
 
 use crate::model::{Extent, Model, triangles};
 use crate::nodal::solution::NodalCheck;

@@ -37,9 +37,9 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// Creates the form of a beam element without ground, from its length L, its stiffness matrix for (Lθ, d₁, L d₂)
-    /// and its load vector for (w, Lθ, d₁, L d₂). Here w and θ are the deflection and the rotation of the left end,
-    /// and (d₁, d₂) is the deformation of the element.
+    /// Returns the energy of a beam element without ground as a [`Form`], from its length L, its stiffness matrix for
+    /// (Lθ, d₁, L d₂) and its load vector for (w, Lθ, d₁, L d₂). Here w and θ are the deflection and the rotation of
+    /// the left end, and (d₁, d₂) is the deformation of the element.
     pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
         let [tt, t1, t2, d11, d12, d22] = stiffness;
         let [qw, qt, q1, q2] = load;
@@ -52,8 +52,8 @@ impl Form {
         }
     }
 
-    /// Creates the form of a beam element without ground, from an [`Element`] that has no stiffness against rigid
-    /// translation.
+    /// Returns the energy of a beam element without ground as a [`Form`]. The [`Element`] must have no stiffness against
+    /// rigid translation.
     pub fn of(element: &Element) -> Self {
         let Element { length, stiffness: k, load: [qw, qt, q1, q2], .. } = element;
         let per = 1.0 / length;

@@ -28,7 +28,7 @@ pub(crate) struct Run {
     pub cell: Cell,
     /// Distributed loads and imposed curvature along this row of equal elements.
     pub given: Given,
-    /// Sum of the initial gap and the free-field settlement at the first and the last node of the run. The sum is
+    /// Sum of the initial gap and the free-field settlement at the first and the last node of this row. The sum is
     /// linear between these nodes.
     pub gap: [f64; 2],
     /// Beam element without ground, if stiffness or ground varies along this row, if the beam has shear deformation
@@ -126,7 +126,7 @@ impl Run {
         self.cell.length()
     }
 
-    /// Sum of the initial gap and the free-field settlement at a node of the run.
+    /// Sum of the initial gap and the free-field settlement at a node of this row of equal elements.
     pub fn gap_at(&self, node: usize) -> f64 {
         let [left, right] = self.gap;
         match node - self.first {
@@ -136,7 +136,7 @@ impl Run {
         }
     }
 
-    /// Last node of the run, which is the right end of its last element.
+    /// Last node of this row of equal elements, which is the right end of its last element.
     pub fn end(&self) -> usize {
         self.first + self.count
     }
@@ -207,8 +207,8 @@ pub(crate) fn fewest_in(cell: &Cell, axial_force: f64, settles: usize) -> usize 
     pieces(cell, axial_force, cell.length()).max(settles)
 }
 
-/// Number of stretches into which a beam off the ground is divided, so that one series represents the deflection of
-/// each stretch.
+/// Number of stretches into which a beam out of contact is divided, so that one power series represents the deflection
+/// of each stretch.
 fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     let operator = Operator::of(cell, axial_force, ZoneKind::Open);
     if operator.polynomials.is_some() {
@@ -253,11 +253,12 @@ pub(crate) enum Ground {
     Spread,
 }
 
-/// Grid of runs from left to right, with the loads, supports and hinges at the nodes between the runs.
+/// Grid of the beam: rows of equal elements from left to right, with the loads, supports and hinges at the nodes
+/// between the rows.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub runs: Vec<Run>,
-    /// Loads, supports and hinges at the first node of each run, and at the last node of the grid.
+    /// Loads, supports and hinges at the first node of each row of equal elements, and at the last node of the grid.
     pub nodes: Vec<Node>,
     pub axial_force: f64,
     /// Stiffness of the ground outside the left and the right end of the beam; √(kμ) if this ground is uniform and
@@ -345,8 +346,8 @@ impl Grid {
         self.runs.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Minimum number of elements of a model, so that one series represents the deflection of each element off the
-    /// ground.
+    /// Minimum number of elements of a model with which one power series per element represents the deflection where
+    /// the beam is out of contact.
     pub fn fewest(model: &Model) -> usize {
         let axial_force = model.beam.axial_force;
         let mut fewest = 0_usize;
@@ -372,7 +373,8 @@ impl Grid {
         self.runs.iter().map(|run| run.first).chain([self.last()])
     }
 
-    /// Index of the run that contains the element to the right of a node; for the last node, the last run.
+    /// Index of the row of equal elements that contains the element to the right of a node; for the last node, the
+    /// index of the last row.
     pub fn run_at(&self, node: usize) -> usize {
         self.runs.partition_point(|run| run.end() <= node).min(self.runs.len() - 1)
     }
@@ -397,8 +399,8 @@ impl Grid {
         run.first + steps.min(run.count)
     }
 
-    /// Returns the parts of runs between two nodes. A part is given by the index of its run, its first node and its
-    /// last node.
+    /// Splits the elements between two nodes into parts that belong to one row of equal elements each. A part is given
+    /// by the index of its row, its first node and its last node.
     pub fn parts(&self, from: usize, to: usize) -> impl Iterator<Item = (usize, usize, usize)> {
         let first = self.run_at(from);
         let ends = self.runs[first..].iter().take_while(move |run| run.first < to);

@@ -28,7 +28,8 @@ pub(crate) struct Layout {
     pub meeting: usize,
     /// Loads, supports, hinge and springs at the node where the eliminations from both ends of the beam meet.
     pub stand: Stand,
-    /// Deflection of the meeting node and the rotations to its left and to its right, from the last solve.
+    /// Deflection of the node where the eliminations from both ends of the beam meet, and the rotations to the left and
+    /// to the right of this node, from the last solve.
     pub middle: [f64; 3],
     /// Whether the beam touches the ground anywhere.
     touches: bool,

@@ -38,7 +38,7 @@ pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut 
     }
 }
 
-/// Element counts of the grids before the required grid, from fine to coarse.
+/// Element counts of the grids coarser than the required grid, from the finest to the coarsest.
 fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     let coarsest = (waves * COARSEST).ceil().max(8.0);
     let mut coarser = Vec::new();
@@ -71,7 +71,8 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     coarser
 }
 
-/// Whether a grid resolves all waves of the beam and the next grid is only a few times finer.
+/// Whether a grid resolves the shortest wave of the deflection, with at least `COARSEST` elements per length 1/λ, and
+/// the next grid is less than `FEW` times finer. λ is the largest wave number of the beam on its ground.
 fn is_rough(grid: &Grid, next: &Grid, waves: f64) -> bool {
     let [elements, finer] = [grid, next].map(|grid| grid.last() as f64);
     elements >= waves * COARSEST && finer < FEW * elements

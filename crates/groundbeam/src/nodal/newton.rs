@@ -49,10 +49,10 @@ pub(crate) struct Goal {
     pub moves: usize,
 }
 
-/// Stopping rule of a final result: the contact set no longer changes. Some models need many steps shortened by the
+/// Stopping rule for a final result: the contact set no longer changes. Some models need many steps shortened by the
 /// line search. The model "Hard 333" needs 650 steps on 333 elements.
 pub(crate) const ANSWER: Goal = Goal { steps: 2000, searched: usize::MAX, moves: 0 };
-/// Stopping rule of an initial guess for another method.
+/// Stopping rule for a solve that only computes an initial guess for another method.
 pub(crate) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
 /// Maximum element length, relative to √(μ/k), for which the pressure next to a contact edge is assumed to be

@@ -12,8 +12,8 @@ use crate::numeric::elementary::{exp, expm1};
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |piece, own| {
-        // Each piece writes the value at its left end node unless this node is in contact. The piece at the
-        // right end of the beam also writes the value at its right end node.
+        // Each piece writes the deflection or the slope at its left end node, unless this node is in contact. The
+        // piece at the right end of the beam also writes the deflection or the slope of this end.
         let ([from, to], length) = (piece.nodes, piece.length);
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
@@ -72,8 +72,9 @@ fn horner<const N: usize>(c: &[f64; NODAL_TERMS], s: impl Fn(usize) -> f64, into
     }
 }
 
-/// Writes the settlement u − u₀ relative to the free-field settlement u₀ at every node. It is w − g₀ − u₀ in
-/// contact. Out of contact it is the closed-form solution for ground without pressure.
+/// Writes the settlement u − u₀ relative to the free-field settlement u₀ at every node. In contact it is w − g₀ − u₀
+/// with the deflection w and the initial gap g₀. Out of contact it is the closed-form solution for ground without
+/// pressure.
 pub(crate) fn settlement(
     grid: &Grid,
     deflection: &[f64],
@@ -149,8 +150,9 @@ fn ground(
     }
 }
 
-/// Writes the settlement at equally spaced positions x between two ends with the settlements `left` and `right`. It
-/// is (left·sinh(b(L − x)) + right·sinh(bx))/sinh(bL), with the distance L of the ends and b = √(k/μ).
+/// Writes the settlement at equally spaced positions between two ends with the settlements `left` and `right`. At the
+/// distance x from the left end, it is (left·sinh(b(L − x)) + right·sinh(bx))/sinh(bL). Here L is the distance between
+/// the ends, and b = √(k/μ).
 fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     if run.cell.shear_layer == 0.0 {
         return into.fill(0.0);

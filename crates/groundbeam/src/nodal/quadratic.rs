@@ -99,7 +99,8 @@ impl<const N: usize> Row<N> {
         self.by.iter().zip(z).map(|(by, z)| by * z).sum::<f64>() + self.constant
     }
 
-    /// Substitutes the function `other` for the eliminated unknown e in this row.
+    /// Eliminates the unknown e from this linear function. `other` gives e as a linear function of the other
+    /// unknowns.
     pub fn with(mut self, e: usize, other: &Row<N>) -> Self {
         let part = std::mem::take(&mut self.by[e]);
         for (by, other) in self.by.iter_mut().zip(&other.by) {

@@ -55,7 +55,8 @@ pub struct NodalCheck {
 }
 
 impl NodalCheck {
-    /// Whether the residuals of forces and moments, the tensile force and the penetration are all at most 1e-7.
+    /// Whether the relative residuals of forces and moments, the relative tensile force and the relative penetration
+    /// are all at most 1e-7.
     pub fn holds(&self) -> bool {
         let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
             *self;

@@ -19,12 +19,13 @@ pub(super) struct Reached {
 /// matrix `gain`, then the constant. The variables y and e are defined in [`form`](super::form).
 pub(super) type Gain = [f64; 6];
 
-/// A row of bonded elements of equal stiffness, or a span out of contact, in the direction of the sweep.
+/// A row of bonded elements of equal stiffness, or a span out of contact. The elimination passes through it from its
+/// first node, either from left to right or from right to left.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretch {
     pub form: Form,
     pub count: usize,
-    /// First node of the stretch in the direction of the sweep.
+    /// First node of the stretch in the direction of the elimination.
     pub node: usize,
     /// Loads, supports, hinge and springs at the first node of the stretch.
     pub stand: Stand,
@@ -63,8 +64,9 @@ impl Stretch {
     }
 }
 
-/// Matrix that transforms the variables (y₁, y₂, e₁, e₂) of [`form`](super::form) to the deflection w, the rotation
-/// Lθ and the deformations d₁ and L d₂ of an element of length L.
+/// Matrix that transforms the variables (y₁, y₂, e₁, e₂) of [`form`](super::form) to (w, Lθ, d₁, L d₂). Here w and θ
+/// are the deflection and the rotation of the left end of an element, d₁ and d₂ are the deformations of the element,
+/// and L is its length.
 const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
     [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 
@@ -88,7 +90,7 @@ pub(super) struct Elements<'a> {
     pub gains: &'a mut [Gain],
 }
 
-/// All stretches on one side of the meeting node.
+/// All stretches on one side of the node where the eliminations from both ends of the beam meet.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Side {
     pub stretches: Vec<Stretch>,
@@ -118,9 +120,9 @@ impl Side {
         self.stretches.iter().map(|stretch| stretch.count).sum()
     }
 
-    /// Calls `each` for every element with the deflection and the rotation of its first node and its two
-    /// deformations, in the coordinates of the sweep. The calls begin at the meeting node, which has the deflection
-    /// `w` and the rotation `theta`.
+    /// Calls `each` for every element with the deflection and the rotation of its first node and its two deformations.
+    /// The first node and the signs refer to the direction of the elimination. The calls begin at the node where the
+    /// eliminations from both ends of the beam meet. This node has the deflection `w` and the rotation `theta`.
     pub fn each_element(
         &self,
         mut w: f64,

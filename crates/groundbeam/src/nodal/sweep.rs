@@ -19,8 +19,9 @@ use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 /// x = (w, θ).
 type Behind = [f64; 5];
 
-/// Sweeps from both ends to the meeting node. Returns the deflection w of the meeting node and the rotations to
-/// its left and to its right. `stand` contains the loads, supports and springs at the meeting node.
+/// Eliminates the elements from both ends of the beam up to the node where both eliminations meet. Returns the
+/// deflection w of this node and the rotations to its left and to its right. `stand` contains the loads, supports and
+/// springs at this node.
 pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], NotSolved> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
@@ -66,7 +67,8 @@ fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, NotSolved
     Ok(Some([-b / held, share, r2 / held]))
 }
 
-/// Back-substitutes from the meeting node to both ends. Returns the number of elements crossed.
+/// Back-substitutes from the node `meeting`, where the eliminations from both ends of the beam meet, to both ends of
+/// the beam. Returns the number of processed elements.
 pub(crate) fn outward(
     sides: &mut [Side; 2],
     meeting: usize,
@@ -81,8 +83,9 @@ pub(crate) fn outward(
     sides.iter().map(|side| side.gains.len()).sum()
 }
 
-/// Sweeps from both ends to the meeting node. Both sweeps advance together while both have elements left.
-/// Returns the stiffness S and the force r of each side, condensed to (w, θ) of the meeting node.
+/// Eliminates the elements from both ends of the beam up to the node where both eliminations meet. Both eliminations
+/// advance together while both have elements left. Returns the stiffness S and the force r of each side, condensed to
+/// the deflection w and the rotation θ of this node.
 fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];

@@ -40,7 +40,7 @@ impl<R: Real> Coefficients<R> {
         self
     }
 
-    /// Removes and returns the highest coefficient.
+    /// Removes and returns the coefficient of the highest power.
     pub fn pop(&mut self) -> Option<R> {
         self.count = self.count.checked_sub(1)?;
         Some(std::mem::take(&mut self.held[self.count]))

@@ -153,8 +153,8 @@ mod tests {
         assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
     }
 
-    /// The polynomial is the slope of the pressure under a beam between pins on soft springs. Its root is at
-    /// the middle, the common end of two half intervals.
+    /// The polynomial is the derivative of the pressure under a simply supported beam on soft Winkler springs. Its root
+    /// is at s = 0, the common end of the two halves of the interval −1 ≤ s ≤ 1.
     #[test]
     fn a_root_between_two_halves() {
         let w = [9.130750818000197e-5, 0.0, -1.0956900980259498e-4, 0.0, 1.826150161472349e-5];

@@ -41,8 +41,8 @@ impl Candidate {
         &self.pieces[i.min(self.pieces.len() - 1)]
     }
 
-    /// Returns the verdict on existence and uniqueness for the contact zones of this candidate. A one-way
-    /// support counts only if its reaction is not zero.
+    /// Returns the verdict on existence and uniqueness for the contact zones of this candidate. One-way supports
+    /// with zero reaction are omitted from the model for this verdict.
     pub fn settled_existence(&self, existence: Existence) -> Existence {
         let contact = self.contact_positions();
         if !self.model.has_one_way_supports() {

@@ -21,7 +21,7 @@ pub struct Certificate {
 
 impl Certificate {
     /// Computes the certificate of a candidate. For a beam under compression, `stability` is 1 + P/P_cr with the
-    /// axial force P and the buckling load P_cr.
+    /// axial force P < 0 and the buckling load P_cr > 0.
     pub(crate) fn of(candidate: &Candidate, stability: f64) -> Self {
         let model = candidate.model.to_prove();
         let stability = (candidate.model.beam.axial_force < 0.0).then_some(stability);
@@ -34,8 +34,8 @@ impl Certificate {
         Certificate { primal_energy: potential_energy, gap, relative_gap }
     }
 
-    /// The primal energy \[N·m\]. It is ½∫(EI (w″ − κ₀)² + P w'²) − F(w) as in (3.8), with the work F(w) of the
-    /// loads, plus the energy ½b(u, u) of the ground.
+    /// The primal energy \[N·m\], (3.8) of Kikuchi's paper. It is ½∫(EI (w″ − κ₀)² + P w'²) dx − F(w), with the
+    /// imposed curvature κ₀ and the work F(w) of the loads, plus the energy ½∫(k u² + μ u'²) dx of the ground.
     pub fn primal_energy(&self) -> f64 {
         self.primal_energy
     }

@@ -234,7 +234,8 @@ mod tests {
     #[test]
     fn a_timoshenko_beam_has_the_range_of_its_own_rotation() {
         let mut bends = piece([0.0, 4.0]);
-        // The slope w′ = s + s² has its minimum −1/4 at s = −1/2 and its maximum 2 at the right end.
+        // With w = s² + ⅔ s³ and x = 2 + 2 s, the slope dw/dx = s + s² has its minimum −1/4 at s = −1/2 and its
+        // maximum 2 at the right end s = 1.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
         let Range { min, max } = candidate(vec![bends.clone()]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);

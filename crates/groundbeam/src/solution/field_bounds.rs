@@ -14,9 +14,10 @@ pub(super) struct FieldBounds {
 }
 
 impl FieldBounds {
-    /// Computes bounds of a polynomial from its coefficients cⱼ. The difference between the polynomial and the
-    /// line through its end values is the sum of cⱼ (sʲ − 1) for even j ≥ 2 and of cⱼ (sʲ − s) for odd j ≥ 3.
-    /// The factor sʲ − 1 lies between −1 and 0, and the factor sʲ − s lies between −1 and 1.
+    /// Computes bounds of the polynomial Σ cⱼ sʲ on −1 ≤ s ≤ 1 from its coefficients cⱼ. The difference between
+    /// the polynomial and the line through its end values is the sum of cⱼ (sʲ − 1) for even j ≥ 2 and of
+    /// cⱼ (sʲ − s) for odd j ≥ 3. The factor sʲ − 1 lies between −1 and 0, and the factor sʲ − s lies between −1
+    /// and 1.
     fn of(c: &[f64]) -> Self {
         let [first, second] = [0, 1].map(|j| c.get(j).copied().unwrap_or(0.0));
         let ([mut even, mut odd], [mut above, mut apart]) = ([0.0; 2], [0.0; 2]);
@@ -63,7 +64,7 @@ impl SolutionPiece {
                 FieldBounds { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
             }
             Field::Gap if self.open.is_none() => FieldBounds::of(&[]),
-            // The settlement and the gap are not polynomials here.
+            // Out of contact, the settlement and the gap are not polynomials, so they get infinite bounds.
             Field::Settlement | Field::Gap => FieldBounds {
                 ends: [-1.0, 1.0].map(|s| self.one(field, s)),
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],

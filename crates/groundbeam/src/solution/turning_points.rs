@@ -46,9 +46,10 @@ impl SolutionPiece {
         }
     }
 
-    /// Appends the sign changes of a derivative that is not a polynomial. The signs are compared at points so
-    /// close that at most one sign change lies between two points. A zero at such a point is a sign change if
-    /// the signs before and after it differ.
+    /// Appends the positions s at which `slope`, the derivative of a field with respect to x, changes its sign.
+    /// `slope` need not be a polynomial. Its sign is computed at points so close together that at most one sign
+    /// change lies between two neighbouring points. A zero at such a point is a sign change if the signs before
+    /// and after it differ.
     fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
         const CUTS: usize = 16;
         // The sign is −1, 0 or 1. It replaces the product of two slopes, which could underflow.

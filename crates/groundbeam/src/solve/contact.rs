@@ -76,7 +76,7 @@ fn find_exactly(
     exact::solve(model, likely, cancel, judge)
 }
 
-/// The error of a method that stopped without converging.
+/// Returns the [`Error`] which reports that a method stopped without converging.
 pub(super) fn not_converged(method: Method, stalled: Unconverged) -> Error {
     let Unconverged { iterations, why } = stalled;
     Error::NotConverged(Stopped { method, iterations, why })

@@ -47,10 +47,10 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
 
-/// Solves a model from the solution of a similar model: a load has moved or increased, or the ground has
-/// changed. The exact method starts from the contact of the similar model and needs fewer steps. The
-/// certificate is checked as in [`solve_with`], but the last digits of the solution may differ from the
-/// solution of [`solve_with`].
+/// Solves a model, starting from the solution `near` of a similar model. For example, the similar model has smaller
+/// loads, loads at other positions or other ground. The exact method starts from the contact zones of the similar model
+/// and needs fewer steps. The certificate is checked as in [`solve_with`], but the last digits of the solution may
+/// differ from the solution of [`solve_with`].
 ///
 /// # Errors
 ///

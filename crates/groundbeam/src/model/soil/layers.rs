@@ -177,7 +177,8 @@ mod tests {
 
     /// k and μ of one layer of unit width agree with the closed forms of Vallabhan and Das (1991). These are
     /// k = E₀γ(sinh γ cosh γ + γ)/(2H sinh²γ) and 2t = GH(sinh γ cosh γ − γ)/(2γ sinh²γ), where 2t is μ. H is the
-    /// thickness, E₀ the constrained modulus and G the shear modulus of the layer.
+    /// thickness, E₀ the constrained modulus and G the shear modulus of the layer. γ is H divided by the decay length
+    /// of the vertical displacement over the depth.
     #[test]
     fn one_layer_in_closed_form() {
         let layer = SoilLayer { modulus: 3.0, poisson: 0.2, thickness: 2.0 };
@@ -228,8 +229,8 @@ mod tests {
         }
     }
 
-    /// k + rμ, with r = `rate`, is the pressure at the surface under a unit settlement of a beam of unit width. This
-    /// follows because the strain energy equals the work of the load.
+    /// Under a beam of unit width, a unit settlement of the surface needs the pressure k + rμ, because the strain energy
+    /// equals the work of the load. Here r, the variable `rate`, is ∫u'² dx/∫u² dx of the settlement u.
     #[test]
     fn the_strain_energy_equals_the_work_of_the_load() {
         let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]
