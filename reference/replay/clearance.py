@@ -58,7 +58,11 @@ def stretch(r, first, end):
                 stiffness += piece.shear.high / abs((reach - piece.t[side]) * piece.half)
         if interval[0] < interval[1]:
             clear = on(interval, lambda t: least(r, i, t, 0, r.closing[i]) >= -depth)
-            r.shows(f"it is not proven that the clearance on piece {i} is at least -D, see (10) in docs/proof.md", clear)
+            r.shows(
+                f"it is not proven that the clearance on piece {i} is at least -D, "
+                "where D is the height by which the proof raises the ground, see (10) in docs/proof.md",
+                clear,
+            )
     for side, node in ((0, first), (1, end)):
         if node == (0, len(r.pieces))[side] and not touching[side]:
             stiffness += high(r.outside[side])

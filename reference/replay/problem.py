@@ -87,7 +87,7 @@ class Piece:
         return pressure if self.q is None else pressure - self.q
 
     def d(self, p):
-        """Returns the derivative with respect to x of a polynomial p(t), where t = (x − middle)/half."""
+        """Returns the derivative with respect to x of a polynomial p(t), where t = (x − middle)/half on the piece."""
         return p.derivative() * (1 / self.half)
 
     def ends(self, p):

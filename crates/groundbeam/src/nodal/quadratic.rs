@@ -99,7 +99,7 @@ impl<const N: usize> Row<N> {
         self.by.iter().zip(z).map(|(by, z)| by * z).sum::<f64>() + self.constant
     }
 
-    /// Eliminates the unknown e from this linear function. `other` gives e as a linear function of the other
+    /// Eliminates the unknown e from this linear function. `other` gives e as a linear function of the remaining
     /// unknowns.
     pub fn with(mut self, e: usize, other: &Row<N>) -> Self {
         let part = std::mem::take(&mut self.by[e]);
