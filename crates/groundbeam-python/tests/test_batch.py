@@ -272,7 +272,7 @@ def test_factors_multiply_the_values_of_the_model() -> None:
         ({"load[1].start": [1.0], "load[1]": [2.0]}, "`load[1].start` and `load[1]` set the same number"),
         ({"load[1]": [2.0], "load[1].start": [1.0]}, "`load[1]` and `load[1].start` set the same number"),
         ({"k": gb.Points([1.0, 2.0, 3.0]), "k[]": [1.0]}, "`k` and `k[]` set the same number"),
-        ({"k": [[[1.0]]]}, "a row along the beam"),
+        ({"k": [[[1.0]]]}, "one row of values along the beam"),
         ({"k": ["40 MN/m^2"]}, "`k`: takes numbers in SI units"),
     ],
 )
