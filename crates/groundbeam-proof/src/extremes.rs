@@ -1,7 +1,7 @@
 //! Finds intervals that contain every position where an exact field has its largest or smallest value.
 //!
-//! Let f be the field of the answer, f* the exact field, and |f − f*| ≤ ε. At a position of the largest value of
-//! f*, f ≥ f(x₀) − 2ε for any x₀. Inside a piece, f*′ is zero at such a position. So parts with |f′| > ε′ are
+//! Let f be the field of the claimed solution, f* the exact field, and |f − f*| ≤ ε. At a position of the largest
+//! value of f*, f ≥ f(x₀) − 2ε for any x₀. Inside a piece, f*′ is zero at such a position. So parts with |f′| > ε′ are
 //! excluded, where ε′ bounds |f′ − f*′|. At the ends of pieces, only the values of f are compared.
 
 use crate::bounds::Bounds;
@@ -16,14 +16,14 @@ use crate::size::Size;
 /// derivative of the field has an error bound, the second if it has none.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
-/// The proven positions of a listed extreme in the exact solution.
+/// An extreme of a field that a result document lists, and the proven positions of this extreme in the exact solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedExtreme {
     /// Name of the field.
     pub field: String,
     /// Whether the extreme is the largest value of the field; otherwise it is the smallest value.
     pub is_max: bool,
-    /// The listed position \[m\].
+    /// Position of the extreme in the result document \[m\].
     pub listed: f64,
     /// Intervals that contain all positions of the exact extreme \[m\], from left to right. The list is empty if no
     /// interval is proven.
@@ -31,14 +31,15 @@ pub struct PlacedExtreme {
 }
 
 impl PlacedExtreme {
-    /// Returns the interval that contains the listed position, or otherwise the nearest interval.
+    /// Returns the proven interval that contains the position of the extreme in the result document. If no interval
+    /// contains this position, returns the interval nearest to it.
     pub fn nearest(&self) -> Option<[f64; 2]> {
         let off = |place: &[f64; 2]| self.distance_from(*place);
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// Returns the distance of the listed position from the nearest interval. The distance is zero inside an
-    /// interval, and also if no interval is proven.
+    /// Returns the distance \[m\] from the position of the extreme in the result document to the nearest proven interval.
+    /// The distance is zero if an interval contains this position, and also if no interval is proven.
     pub fn distance(&self) -> f64 {
         self.nearest().map_or(0.0, |place| self.distance_from(place))
     }
@@ -47,8 +48,8 @@ impl PlacedExtreme {
         (low - self.listed).max(self.listed - high).max(0.0)
     }
 
-    /// Returns the distance of the listed position from the farther end of the nearest proven interval, rounded
-    /// up. The distance is infinite if no interval is proven.
+    /// Returns the distance \[m\] from the position of the extreme in the result document to the farther end of the
+    /// nearest proven interval, rounded up. The distance is infinite if no interval is proven.
     pub fn error(&self) -> f64 {
         let Some([low, high]) = self.nearest() else { return f64::INFINITY };
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
@@ -75,7 +76,7 @@ struct Search<'a, S: Scalar> {
     steep: Vec<Size>,
 }
 
-/// Finds the positions of a listed extreme in the exact solution.
+/// Finds the positions in the exact solution of an extreme that the result document lists.
 pub(crate) fn placed<S: Scalar>(
     extreme: &Extreme,
     fields: &Fields<S>,
@@ -114,7 +115,8 @@ fn search<'a, S: Scalar>(
         return None;
     }
     let sign = if extreme.is_max { 1.0 } else { -1.0 };
-    // `top` is the largest value of `sign` times the field at the ends of pieces and at the listed position.
+    // `top` is the largest value of `sign` times the field at the ends of pieces and at the position of the extreme
+    // in the result document.
     let mut top = -f64::INFINITY;
     let mut raise = |piece: usize, t: S| {
         let value = (patches.value(field, piece, t) * S::of(sign)).low();
@@ -194,8 +196,8 @@ impl<S: Scalar> Search<'_, S> {
                 continue;
             }
             let slope = about.derivative();
-            // If all values are at least `level` and all slopes are within their error bound, halving would
-            // exclude no part.
+            // If all values on the interval are at least `level` and all slopes are at most the error bound
+            // `steep`, neither half of the interval can be excluded.
             let reaches =
                 (about.coefficient(0).low() - about.tail(r).value()).next_down() >= self.level;
             if reaches && (slope.coefficient(0).size() + slope.tail(r).value()).next_up() <= steep
@@ -233,8 +235,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the distance of a listed position from the nearest interval, and from the farther end of this
-    /// interval.
+    /// Checks the distance from the position of an extreme in the document to the nearest interval that contains the
+    /// exact extreme, and to the farther end of this interval.
     #[test]
     fn a_listed_place_is_compared_with_the_nearest_interval() {
         for (listed, places, distance, error) in [
@@ -352,7 +354,7 @@ mod tests {
                     "{inner:?}"
                 );
             }
-            // Halving excludes nothing.
+            // Neither half of an interval is excluded.
             assert_eq!(kept(1.0, -9.0, f64::INFINITY).len(), 1);
             assert_eq!(kept(1.0, -9.0, 4.1).len(), 1);
             assert_eq!(kept(1.0, 1.1, f64::INFINITY).len(), 0);

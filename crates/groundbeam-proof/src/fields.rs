@@ -1,4 +1,4 @@
-//! The admissible and balanced fields that are constructed from an answer, and the bound E of their energy difference.
+//! Kinematically admissible deflection and equilibrium forces from a claimed solution; bound E of their energy difference.
 
 use crate::balance::{Balance, Balanced};
 use crate::clearance::{Clearance, clearance};
@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 use crate::shearing::shearing_energy;
 use crate::size::Size;
 
-/// The fields that are constructed from an answer.
+/// The fields that are constructed from a claimed solution, for the bound E of the error energy.
 pub(crate) struct Fields<'a, S> {
     pub frame: &'a Frame<S>,
     pub deflection: Deflection<S>,
@@ -23,7 +23,8 @@ pub(crate) struct Fields<'a, S> {
     pub pressures: Vec<Pressure<S>>,
     pub residual: Residual<S>,
     pub clearance: Clearance,
-    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′², the squared norms of the correction c of the deflection.
+    /// Squared norms ‖c‖²_beam = Σ h EI c″² and Σ h c′² of the correction c of the deflection. The sums extend over the
+    /// pieces of the beam, with the length h of a piece.
     pub closing: [Size; 2],
     /// Bound ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ of the residual in the equilibrium of the ground, in the energy norm ‖·‖_b
     /// of the ground. The terms are due to the correction c of the deflection, to residual forces r on a shear
@@ -125,9 +126,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok((energy, balanced))
     }
 
-    /// Returns the squared norm of the residuals of the springs. It is the sum of (residual force)²/κ and
-    /// (residual moment)²/κ_θ, with the stiffness κ of translational and κ_θ of rotational springs. A residual
-    /// consists of the spring force due to the correction of the deflection and of the redistributed force.
+    /// Returns an upper bound of the squared norm of the residuals of the springs: the sum of (residual force)²/κ and
+    /// (residual moment)²/κ_θ, with the stiffness κ of a translational and κ_θ of a rotational spring. The residual
+    /// force of a spring is bounded by the sum of two changes of its force: the change due to the correction of the
+    /// deflection, and the change that restores equilibrium. The same holds for the residual moment.
     fn supports(&self, balanced: &Balanced<S>) -> Size {
         let mut sum = Size::ZERO;
         let missed = |stiffness: S, change: S, added: Size| {
@@ -183,7 +185,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
     }
 }
 
-/// Returns ‖c‖²_beam = Σ h EI c″² and Σ h c′², the squared norms of the correction c of the deflection.
+/// Returns the squared norms ‖c‖²_beam = Σ h EI c″² and Σ h c′² of the correction c of the deflection, summed over the
+/// pieces with the lengths h.
 fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2] {
     let mut both = [Size::ZERO; 2];
     for (span, c) in frame.spans.iter().zip(&deflection.pieces) {

@@ -3,11 +3,11 @@
 /// Factor 1 + 16u with u = 2⁻⁵³. It is larger than (1 + u)¹², which covers the rounding errors of a radius from at
 /// most ten operations.
 pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
-/// Smallest midpoint of a ball. Smaller midpoints are replaced by 0, so that no rounding error is lost among
-/// subnormal numbers.
+/// Smallest magnitude of a nonzero midpoint of a ball. Smaller midpoints are replaced by 0, because the error bounds do
+/// not cover the rounding errors of subnormal numbers.
 pub(crate) const TINY: f64 = 1e-290;
-/// Largest midpoint or radius of a ball. A ball with a larger number gets an infinite radius, so that every
-/// overflow gives an infinite radius.
+/// Largest magnitude of the midpoint and of the radius of a ball. If the midpoint or the radius is larger, the radius
+/// becomes infinite, so every overflow causes an infinite radius.
 pub(crate) const HUGE: f64 = 1e290;
 
 /// Returns |x|. The result is 0 for −0, and NaN for NaN.

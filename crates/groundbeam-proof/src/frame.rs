@@ -1,4 +1,4 @@
-//! The problem on the pieces of the answer: stiffness, ground, loads and deflection by piece, loads and supports by node.
+//! The problem on the pieces of a claimed solution: stiffness, ground, loads, deflection by piece; loads and supports by node.
 
 use crate::answer::{Answer, Piece};
 use crate::beside::Row;
@@ -86,7 +86,7 @@ pub(crate) struct Node<S> {
     pub reaction: [S; 2],
     /// Weighting factors of the supports at the node in the redistribution of residual forces.
     pub weights: Weights,
-    /// Whether the answer stores a positive concentrated contact force at the node.
+    /// Whether the claimed solution has a positive concentrated contact force at the node.
     pub pressed: bool,
     /// Whether the gap g₀ has a corner at the node.
     pub corner: bool,
@@ -221,7 +221,7 @@ impl<S: Scalar> Span<S> {
         let middle = (ends[0] + ends[1]).scaled(-1);
         let t = match S::ENCLOSES {
             true => x.map(|x| (x - middle).div(half)),
-            // In double precision, t follows from differences of nearby positions, which avoids cancellation far from x = 0.
+            // In double precision, the coordinate t of an end is computed from small differences, to avoid cancellation.
             false => {
                 let stretch = (ends[1] - ends[0]).scaled(-1);
                 [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))
@@ -271,7 +271,7 @@ impl<S: Scalar> Span<S> {
         Size::of(self.h.high())
     }
 
-    /// Returns the linear function through two points (x, value), as a polynomial of t.
+    /// Returns the linear function through two points (x, value), as a polynomial in the coordinate t of the piece.
     pub fn line(&self, [from, to]: [S; 2], [start, end]: [S; 2]) -> Line<S> {
         if start == end {
             return Line::from_coefficients([start]);
@@ -343,7 +343,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// An upper bound of the absolute derivative of a coefficient with respect to x on the piece.
+    /// Upper bound of |dc/dx| on the piece, where the coefficient c is EI, k, μ or the shear stiffness S.
     pub fn steepness(&self, coefficient: &Coefficient<S>) -> Size {
         coefficient.along().map_or(Size::ZERO, |along| self.derivative(along).size(self.tau))
     }
@@ -394,8 +394,8 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether a node lies inside a shear layer, μ and S are continuous at the node, and neither a hinge nor a force on the
-    /// ground is at the node.
+    /// Whether a node lies inside a shear layer, the stiffness μ of the layer and the shear stiffness S of the beam are
+    /// continuous at the node, and the node has neither a hinge nor a force on the ground.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && !self.nodes[node].stepped
@@ -412,8 +412,8 @@ impl<S: Scalar> Frame<S> {
         forced && beside.into_iter().any(shears)
     }
 
-    /// Whether a node lies inside a shear layer and has no hinge, no force on the ground, no corner of g₀ and no jump of μ or
-    /// S. On a beam with shear deformation, the node must also have no point force and no support.
+    /// Whether [`Frame::even`] is true for a node and the initial gap g₀ has no corner at the node. On a beam with shear
+    /// deformation, the node must also have no point force and no support.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }

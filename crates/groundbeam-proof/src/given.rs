@@ -360,7 +360,7 @@ fn gap<S: Scalar>(
     for (pair, nodes) in corners.windows(2).zip(places.gap.windows(2)) {
         if !((pair[1][0] - pair[0][0]).low() > 0.0) {
             return Err(NotProven::new(
-                "the positions of the initial gap are not in increasing order",
+                "the positions at which the initial gap is given are not in increasing order",
             ));
         }
         for span in frame.spans.iter_mut().take(nodes[1]).skip(nodes[0]) {

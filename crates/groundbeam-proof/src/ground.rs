@@ -40,7 +40,7 @@ pub(crate) struct SurfacePiece<S> {
     pub missed: Size,
     /// Force μū′ in the shear layer at both ends of a piece out of contact.
     pub flux: [S; 2],
-    /// Upper bound of √g(x, x) on a piece of a layer with the flexibility g; infinite on Winkler ground.
+    /// Upper bound of √g on a piece, where g is the layer's settlement at x under a unit force at x; infinite on Winkler ground.
     pub flexibility: Size,
 }
 
@@ -98,14 +98,14 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
     surface
 }
 
-/// Whether beam and layer are in contact at a node: at the end of a touching piece of a layer, or under a stored force.
+/// Whether beam and layer are in contact at a node: at an end of a piece in contact, or at a claimed concentrated contact force.
 fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
     let (layered, touching) = (frame.layered(node), frame.touching(node));
     let any = layered[0] || layered[1];
     (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
 }
 
-/// The ground on one side of a node, condensed to the node. The flux is Su − T with `stiffness` S and `pushed` T.
+/// The ground on one side of a node, condensed to the node. It exerts the force Su − T, with `stiffness` S and `pushed` T.
 #[derive(Clone, Copy)]
 pub(crate) struct Behind<S> {
     stiffness: S,
@@ -162,7 +162,7 @@ impl<S: Scalar> Link<S> {
         behind.stiffness + self.own + self.across
     }
 
-    /// Returns the piece with u measured from another height, so that small differences of u keep their digits.
+    /// Returns the piece with the ground displacement measured from the level `height`, to avoid cancellation.
     fn above(&self, height: S) -> Self {
         let ends = self.free.ends.map(|free| free - height);
         Link { free: FreeField { ends, ..self.free }, ..*self }
@@ -174,7 +174,7 @@ impl<S: Scalar> Link<S> {
         if near == 0 { [rise, slope] } else { [-rise, -slope] }
     }
 
-    /// Returns the force at the near end due to the loads on the piece and on the ground `behind` it, if u = 0 at the far end.
+    /// Returns the force on the ground at the near end due to loads on the piece and `behind` it, with the far end fixed (u = 0).
     fn source(&self, behind: Behind<S>, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         behind.pushed + slope + self.own * self.free.ends[near] - self.across * rise
@@ -199,13 +199,13 @@ impl<S: Scalar> Link<S> {
         Behind { stiffness: self.across + self.own, pushed: self.own_push(near) }
     }
 
-    /// Returns the force at the far end due to the loads on the piece, if u = 0 at the near end.
+    /// Returns the force on the ground at the far end due to the loads on the piece, with the near end fixed (u = 0).
     fn own_push(&self, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         self.own * self.free.ends[1 - near] + self.across * rise - slope
     }
 
-    /// μu′ at both ends.
+    /// Returns the force μu′ in the shear layer at both ends of the piece, from the ground displacement u at these ends.
     pub(crate) fn fluxes(&self, [left, right]: [S; 2]) -> [S; 2] {
         let FreeField { ends: [a, b], slope, .. } = self.free;
         let (left, right) = (left - a, right - b);

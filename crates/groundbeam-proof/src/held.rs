@@ -1,4 +1,4 @@
-//! Assigns supports with their stored reactions, and hinges, to the nodes; computes the weights of supports in the balance.
+//! Assigns hinges, and supports with their reactions, to nodes; computes weights that distribute residual forces over supports.
 
 use crate::answer::{Answer, Reaction};
 use crate::frame::{Frame, Held};
@@ -7,7 +7,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::values::not_negative;
 
-/// Returns the stored reaction of each support of the model; `None` if the answer does not list the reaction.
+/// Returns the claimed reaction of each support of the model; `None` if the claimed solution does not list the reaction.
 pub(crate) fn reactions<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,

@@ -1,4 +1,4 @@
-//! Proves which one-way supports are active, and from which one-way supports the exact beam is separated.
+//! Proves which one-way supports are active, and which are separated from the beam in the exact solution.
 //!
 //! Let δ be the settlement of a support. Let ς = 1 for a support that pushes up, and ς = −1 for a support that
 //! pulls down. A support without reaction must satisfy −ς(w − δ) > ε_w, where ε_w bounds |w̄ − w| and |w − w*|.
@@ -25,7 +25,7 @@ pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<
 }
 
 /// Returns an error at the first one-way support whose state is not proven. The state is proven if the reaction
-/// exceeds its error bound, or if the exact beam is separated from the support.
+/// exceeds its error bound, or if the beam is separated from the support in the exact solution.
 pub(crate) fn decided<S: Scalar>(
     frame: &Frame<S>,
     bounds: &[PieceBounds],
@@ -43,7 +43,9 @@ pub(crate) fn decided<S: Scalar>(
 }
 
 pub(crate) fn too_close() -> NotProven {
-    NotProven::new("the beam is too close to a one-way support to decide whether it is active")
+    NotProven::new(
+        "the beam is too close to a one-way support to decide whether the support is active",
+    )
 }
 
 /// Returns an error at the first inactive support that the claimed deflection penetrates by more than the rounding

@@ -45,7 +45,7 @@ pub struct ListedErrors {
     pub forces: Vec<f64>,
     /// Error bounds of the `end_forces` \[N\], left and right; `None` if no end forces are listed.
     pub end_forces: Option<[f64; 2]>,
-    /// Upper bound of the exact forces that are not listed \[N\]. Such forces count as listed with the value zero.
+    /// Upper bound of the magnitude of each exact concentrated contact force that the document does not list \[N\].
     pub unlisted: f64,
     /// Error bounds of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
     pub hinges: Vec<[f64; 2]>,
@@ -98,7 +98,8 @@ pub(crate) struct Differences {
     pub failed: Option<NotProven>,
 }
 
-/// Compares listed stations, extremes, contact and forces, and finds the positions of the exact extremes.
+/// Compares the values at stations and hinges, the extremes and the gaps in the document with the claimed fields, and the
+/// contact regions and forces with the proven contact set. Finds the positions of the exact extremes.
 pub(crate) fn differences<S: Scalar>(
     document: &Document,
     fields: &Fields<S>,
@@ -144,9 +145,9 @@ pub(crate) fn differences<S: Scalar>(
     found
 }
 
-/// Returns the intervals on which the pressure has no error bound \[m\]. On Winkler ground, the pressure is bounded
-/// everywhere. On a shear layer, the exact pressure jumps at an edge of contact, so the pressure has no bound on an
-/// interval that contains an edge. If the contact set is not proven, the pressure has no bound on the whole beam.
+/// Returns the intervals on which the pressure has no error bound \[m\]. On Winkler ground, there is no such interval. On
+/// a shear layer, the exact pressure jumps at an edge of contact, so the pressure has no error bound on an interval that
+/// contains an edge. If the contact set is not proven, the pressure has no error bound on the whole beam.
 fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
     let (frame, length) = (fields.frame, proof.scales.length);
     if !frame.spans.iter().any(|span| span.layered) {

@@ -79,7 +79,7 @@ pub struct GroundSegment<S> {
     pub shear: Course<S>,
 }
 
-/// A quantity along a stretch: a constant, or a polynomial of the position.
+/// A quantity along a stretch: a constant, or a polynomial in the position.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Course<S> {
     /// The quantity has this constant value along the stretch.

@@ -123,7 +123,8 @@ fn stretches(length: f64, pieces: usize) -> f64 {
     if (1.0..=most).contains(&count) { count } else { most }
 }
 
-/// Returns all fields on a stretch as polynomials of s = t − `middle`. `own` is the polynomial of the settlement.
+/// Returns all fields on a stretch as polynomials in s = t − `middle`, where t is the coordinate of the piece. `own` is the
+/// settlement of the ground as a polynomial in s.
 fn patch<S: Scalar>(
     fields: &Fields<S>,
     i: usize,
@@ -156,7 +157,7 @@ struct Surface<'a, S> {
     ends: [S; 2],
     /// √(k/μ).
     rate: S,
-    /// Decay rate √(k/μ)·`half` of the settlement with respect to t, where `half` is half the length of the piece.
+    /// Decay rate of the settlement with respect to the coordinate t of the piece: √(k/μ) times half the length of the piece.
     decay: S,
 }
 

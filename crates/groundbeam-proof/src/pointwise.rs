@@ -148,11 +148,12 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// Bound ε_p of the pressure error |p − p*| where the claimed and the exact solution are both in contact.
     ///
-    /// ε_u, ε_θ and ε_κ bound the errors of settlement, slope and curvature. On Winkler ground ε_p = kε_u. In a layer
-    /// ε_p = kε_u + |μ′|ε_θ + με_κ.
+    /// ε_u, ε_θ and ε_κ bound the errors of settlement, slope and curvature. On Winkler ground ε_p = kε_u. On a
+    /// shear layer ε_p = kε_u + |μ′|ε_θ + με_κ.
     ///
-    /// On a beam with shear deformation and the load f, w″(1 + P/S) = φ′ + (p − f + r + η′)/S, where r is the residual
-    /// of the transverse equilibrium and η = S(w′ − φ) − V. If ε_κ bounds the error of φ′, the bound in a layer is
+    /// On a beam with the shear stiffness S, the distributed load f and the tension P, the deflection w satisfies
+    /// w″(1 + P/S) = φ′ + (p − f + r + η′)/S. φ is the rotation, r the residual of the transverse equilibrium, and
+    /// η = S(w′ − φ) − V the misfit of the shear force V. If ε_κ bounds the error of φ′, the bound on a shear layer is
     ///
     /// ```text
     /// ε_p = {kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S]}/(1 + μ/(S + P)).

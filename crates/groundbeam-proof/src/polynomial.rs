@@ -1,4 +1,4 @@
-//! Polynomials of t on a piece, with balls as coefficients, and bounds of their negative part.
+//! Polynomials in the coordinate t of a piece, with balls as coefficients, and bounds of their negative part.
 
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -9,7 +9,8 @@ pub(crate) const HIGHEST: usize = 25;
 /// The highest degree of a coefficient that varies along a piece, such as EI or k.
 pub(crate) const HIGHEST_COURSE: usize = 5;
 
-/// Maximum number of coefficients of the product of a field and a varying coefficient.
+/// Maximum number of coefficients of a polynomial. The product of a field and a stiffness, each with its highest degree,
+/// has this number.
 pub(crate) const CAPACITY: usize = HIGHEST + HIGHEST_COURSE + 1;
 
 /// 1, 2, 3, …

@@ -12,8 +12,9 @@ const APART: f64 = 32.0 * f64::EPSILON;
 /// Minimum length of a piece, as a fraction of the beam's length.
 const SHORTEST: f64 = 1e-20;
 
-/// The nodes, which are the ends of the pieces of the claimed solution. A node has a position that is stored as a
-/// double. It may also have the exact position in the model of which this double is the rounded value.
+/// The nodes, which are the ends of the pieces of the claimed solution. The claimed solution stores the position of
+/// each node as a double. Where this double is the rounded value of a position in the model, `given` has the exact
+/// position.
 #[derive(Debug)]
 pub(crate) struct Positions<S> {
     /// Stored positions of the nodes, in the scaled unit of length.

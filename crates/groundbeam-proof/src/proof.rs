@@ -114,7 +114,7 @@ pub(crate) fn proven<S: Scalar, T>(
 /// The result of an attempt to prove a claimed solution.
 enum Attempt {
     Done(Box<Proof>),
-    /// Supports at which nodes must be added, because the exact beam may touch these supports.
+    /// Supports at which nodes must be added, because the beam may touch these supports in the exact solution.
     Close(Vec<usize>),
 }
 
@@ -270,7 +270,7 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// A proof without errors: a region from 0 to 1, and a concentrated force.
+    /// A proof in which all error bounds are zero, with a contact region from 0 to 1 and a concentrated contact force.
     fn exact() -> Proof {
         let none = Bound { error: 0.0, scale: 1.0 };
         let bounds = Bounds {

@@ -1,14 +1,14 @@
 //! Bounds of the edges of contact on each piece of a shear layer, without a bound of the slope.
 //!
 //! On a beam with shear deformation, the bound of the slope needs a bound of the shear force. The bound of the shear
-//! force needs the lengths on which only the exact or only the claimed beam is in contact.
+//! force needs the lengths on which the beam is in contact in only one of the two solutions, the exact or the claimed.
 //!
 //! ε_C is the error bound of the clearance between beam and ground, and ε_p that of the pressure p. On a piece out of
-//! contact, the exact beam is in contact only where the claimed clearance is at most ε_C, near the ends at which the
-//! piece touches the ground. On a piece in contact with p > ε_p, the exact clearance is at most ε_C. Wherever the
-//! exact clearance is positive, it is convex. Its second derivative is at least m/μ, with the stiffness μ of the
-//! layer and the smallest value m of p − ε_p. So the exact beam is out of contact only within the distance
-//! (2ε_Cμ/m)^½ of the ends of the piece.
+//! contact, there is contact in the exact solution only where the claimed clearance is at most ε_C, near the ends at
+//! which the piece touches the ground. On a piece in contact with p > ε_p, the exact clearance is at most ε_C. Wherever
+//! the exact clearance is positive, it is convex. Its second derivative is at least m/μ, with the stiffness μ of the
+//! layer and the smallest value m of p − ε_p. So in the exact solution, the piece is out of contact only within the
+//! distance (2ε_Cμ/m)^½ of its ends.
 
 use crate::approach::clear;
 use crate::clearance::OpenPiece;
@@ -63,7 +63,8 @@ impl<S: Scalar> Contact<'_, S> {
         more(self.bounds[i].settlement + self.bounds[i].deflection)
     }
 
-    /// The lengths at both ends of a piece in contact on which the exact beam may be out of contact.
+    /// Returns one length for each end of a piece that is in contact in the claimed solution. In the exact solution,
+    /// the piece may be out of contact only within these lengths from its ends.
     fn opened(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let field = self.fields.pressures[i].field.coarse();
         let error = more(self.bounds[i].pressure);
@@ -75,8 +76,9 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// Bound of the length at one end of a piece in contact on which the exact beam may be out of contact; `None` if no
-    /// bound is found. Requires p > ε_p on the whole piece, with the pressure p and its error bound ε_p.
+    /// Bound of the length at one end of a piece in contact on which the beam may be out of contact in the exact
+    /// solution; `None` if no bound is found. Requires p > ε_p on the whole piece, with the pressure p and its error
+    /// bound ε_p.
     ///
     /// The bound is (2ε_Cμ/m)^½, with the error bound ε_C of the clearance and the stiffness μ of the shear layer. m is
     /// the smallest value of p − ε_p on a stretch that begins at the end of the piece. Longer and longer stretches are
@@ -90,7 +92,8 @@ impl<S: Scalar> Contact<'_, S> {
         balanced_on(growing_parts(), &field, error, piece, side, opened)
     }
 
-    /// The lengths at both ends of a piece out of contact on which the exact beam may be in contact.
+    /// Returns one length for each end of a piece that is out of contact in the claimed solution. In the exact
+    /// solution, the piece may be in contact only within these lengths from its ends.
     fn touched(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let too_small = || {
             self.failed("the clearance between beam and ground is too small to exclude contact", i)
@@ -126,7 +129,7 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| far(side) * Size::of(span.half.high())))
     }
 
-    /// A lower bound of C at t.
+    /// Returns a lower bound of the clearance C at the coordinate t of the piece.
     fn clearance_at(&self, piece: &OpenPiece<S::Coarse>, t: f64) -> f64 {
         let [u, _] = piece.settlement(t);
         (u - piece.obstacle[0].value(S::Coarse::of(t))).low()
@@ -142,16 +145,16 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Errors of u, w and p.
+    /// Returns error bounds of settlement, deflection and pressure; all other error bounds are zero.
     fn errors([settlement, deflection, pressure]: [f64; 3]) -> PieceBounds {
         let [settlement, deflection, pressure] = [settlement, deflection, pressure].map(Size::of);
         PieceBounds { settlement, deflection, pressure, ..PieceBounds::EXACT }
     }
 
-    /// Checks the bound x of the length on which the exact beam may be out of contact, for a linear pressure p. ε_C and
-    /// ε_p are the error bounds of the clearance and of p, and μ is the stiffness of the shear layer. m₁ and m₄ are the
-    /// smallest values of p − ε_p up to the distances x and 4x from the end of the piece. x must lie between
-    /// (2ε_Cμ/m₁)^½ and (2ε_Cμ/m₄)^½.
+    /// Checks the bound x of the length on which the beam may be out of contact in the exact solution, for a linear
+    /// pressure p. ε_C and ε_p are the error bounds of the clearance and of p, and μ is the stiffness of the shear
+    /// layer. m₁ and m₄ are the smallest values of p − ε_p up to the distances x and 4x from the end of the piece. x
+    /// must lie between (2ε_Cμ/m₁)^½ and (2ε_Cμ/m₄)^½.
     #[test]
     fn the_open_length_follows_from_the_smallest_pressure_on_it() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 3\n";
@@ -187,9 +190,9 @@ mod tests {
     }
 
     /// The beam w = 2 − x is in contact up to x = 1 with the pressure p = 2 − x. Beyond x = 1 the clearance is
-    /// exp(1 − x) − (2 − x), about ½(x − 1)². Let ε_C be the error bound of the clearance. The exact beam may be in contact
-    /// up to the distance (2ε_C)^½ beyond x = 1. It may be out of contact within the distance (2ε_C/p)^½ of each end
-    /// of a piece in contact. The mirrored beam has the same bounds.
+    /// exp(1 − x) − (2 − x), about ½(x − 1)². Let ε_C be the error bound of the clearance. In the exact solution, the
+    /// beam may be in contact up to the distance (2ε_C)^½ beyond x = 1. It may be out of contact within the distance
+    /// (2ε_C/p)^½ of each end of a piece in contact. The mirrored beam has the same bounds.
     #[test]
     fn the_ends_of_all_pieces_have_bounds_of_the_contact() {
         let model = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

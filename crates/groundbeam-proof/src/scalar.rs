@@ -91,9 +91,9 @@ pub trait Scalar:
 
 /// Computes exp(x) − 1 for x ≤ 0 by the first `terms` terms of its power series, with `terms` ≤ 18.
 ///
-/// The argument x is first halved until |x| ≤ 2⁻⁴. With e = exp(x) − 1, the formula exp(2x) − 1 = e(e + 2) then reverts
-/// each halving. The sum of xʲ/j! up to j = n is x/n! times a polynomial with the integer coefficients n!/j!,
-/// which are exact doubles for n ≤ 18. The remainder is at most 2|x|ⁿ⁺¹/(n+1)!.
+/// The argument x is first halved until |x| ≤ 2⁻⁴. With e = exp(x) − 1, the formula exp(2x) − 1 = e(e + 2) then undoes
+/// each halving. With n = `terms`, the sum of xʲ/j! from j = 1 to n is x/n! times a polynomial with the integer
+/// coefficients n!/j!, which are exact doubles for n ≤ 18. The remainder is at most 2|x|ⁿ⁺¹/(n+1)!.
 pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     if !(x.high() <= 1.0) {
         return S::of(f64::INFINITY);

@@ -19,7 +19,8 @@ use crate::size::Size;
 use crate::test_functions::least_of_halves;
 use std::ops::Range;
 
-/// Returns the sum of the errors of the forces inside a window, and the sum of the errors of its rotational springs.
+/// Returns two sums over the pieces of `window` and the nodes between them: the sum of the errors of contact and spring
+/// forces, and the sum of the errors of the moments of rotational springs.
 fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [Size; 2] {
     let [mut forces, mut couples] = [Size::ZERO; 2];
     for i in window.clone() {
@@ -257,8 +258,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// Upper bound of the pressure that an open piece of a shear layer would have in contact: |ku − q − (μψ′)′| with
-    /// the load q on the ground and ψ = w − g₀, the deflection minus the initial gap.
+    /// Upper bound of the pressure |ku − q − (μψ′)′| that a piece out of contact, on a shear layer, would have in
+    /// contact. u is the settlement of the ground, q the load on the ground, and ψ = w − g₀ the deflection minus the
+    /// initial gap.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         if let Some(along) = &self.fields.surface.pieces[i].along {

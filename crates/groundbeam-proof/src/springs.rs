@@ -54,7 +54,7 @@ impl<S: Scalar> Contact<'_, S> {
                     == Size::ZERO;
             if !clear {
                 return Err(self.failed(
-                    "the difference w − g₀ is too small to decide contact on Winkler ground",
+                    "the difference between deflection and initial gap is too small to decide contact on Winkler ground",
                     i,
                 ));
             }
@@ -172,7 +172,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// A piece of length ¼ in contact or out of contact, with the coefficients of w in t.
+    /// A claimed piece of length ¼: whether it is in contact, and the coefficients of the deflection w as a polynomial
+    /// in the coordinate t of the piece.
     type Claimed = (bool, [f64; 3]);
 
     fn with_pieces<T>(

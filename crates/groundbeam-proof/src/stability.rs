@@ -64,7 +64,8 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
         return None;
     }
     let rigid: Vec<usize> = (0..=last).filter(|i| is_rigid(&nodes[*i])).collect();
-    // `flexibility` computes an upper bound of L²/(π²EI) + 1/S for a stretch of the beam with the length L.
+    // `flexibility` computes an upper bound of L²/(π²EI) + 1/S for a stretch of the beam with the length L and the
+    // shear stiffness S.
     let flexibility = |from: usize, to: usize, length: f64| {
         let mut most = Size::ZERO;
         let mut sheared = Size::ZERO;
@@ -155,8 +156,8 @@ struct Element<C> {
     end: Option<Joint<C>>,
 }
 
-/// Divides the beam between supports, hinges and jumps of EI into elements; `count` is the number of equal
-/// elements along the whole beam.
+/// Divides the beam into elements. Supports, hinges, jumps of EI, and all nodes where EI varies are ends of elements.
+/// No element is longer than the length of the beam divided by `count`.
 fn elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     count: f64,

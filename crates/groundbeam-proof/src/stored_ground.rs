@@ -8,7 +8,8 @@ use crate::size::Size;
 use std::ops::Range;
 
 impl<S: Scalar> Span<S> {
-    /// Residual ρ = ku − (μu′)′ − q of a settlement u of open ground in the ground's equation.
+    /// Returns the residual ρ = ku − (μu′)′ − q if the settlement u is inserted in the equation of the ground out of
+    /// contact under the load q.
     pub fn missed_by(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
         let flux = self.shear.times(self.derivative(settlement));
         let missed = self.spring.times(*settlement) - &self.derivative(&flux);

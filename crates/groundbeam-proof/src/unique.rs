@@ -48,8 +48,8 @@ fn first_mechanism(holds: &[Holds]) -> Option<usize> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Proves that the solution is unique. Contact forces count as restraints if the contact set proves them.
-    /// One-way supports count if their reaction exceeds its error bound.
+    /// Proves that the solution is unique. A concentrated contact force counts as a restraint if it is proven to be
+    /// positive. A one-way support counts as a restraint if its reaction exceeds its error bound.
     pub fn unique(&self, shown: &Shown, reactions: &[[Size; 2]]) -> Result<(), NotProven> {
         let frame = self.fields.frame;
         if frame.compression.is_some() {
@@ -158,7 +158,8 @@ mod tests {
         // A part without supports between two restrained parts is no mechanism.
         assert_eq!(first_mechanism(&[clamped, alone(0, [false, false]), clamped]), None);
         assert_eq!(first_mechanism(&[clamped, alone(1, [true, false]), clamped]), None);
-        // A prevented rotation alone is not sufficient, and one held position alone is not sufficient.
+        // A part of the beam with one restraint is a mechanism: with a prevented rotation only, or with one held
+        // position only.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
         assert_eq!(first_mechanism(&[turning]), Some(0));
         assert_eq!(first_mechanism(&[Holds { places: 1, ..turning }]), None);

@@ -42,8 +42,8 @@ impl Units {
         Ok(Units { length, force: force.unwrap_or(stiffness) })
     }
 
-    /// Converts a load to a force. A moment is divided by the length, and a load per length is multiplied by the
-    /// length. A curvature is multiplied by EI and divided by the length.
+    /// Converts a load to a force, with the unit of length l of the proof. A moment is divided by l, a distributed force
+    /// is multiplied by l, and an imposed curvature is multiplied by EI/l.
     fn load_as_force<S: Scalar>(self, load: &Load<S>, stiffness: i32) -> S {
         let (size, spread) = match load.extent {
             Extent::Point { size, .. } => (size, 0),
@@ -58,12 +58,12 @@ impl Units {
         }
     }
 
-    /// Converts a number with the unit mⁿ to the units of the proof.
+    /// Converts a number from the unit m^`length` to the units of the proof.
     fn of_power<S: Scalar>(self, x: S, length: i32) -> S {
         x.scaled(-length * self.length)
     }
 
-    /// Converts a number with the unit Nᶠ mⁿ to the units of the proof.
+    /// Converts a number from the unit N^`force` · m^`length` to the units of the proof.
     pub fn scaled<S: Scalar>(self, x: S, force: i32, length: i32) -> S {
         x.scaled(-force * self.force - length * self.length)
     }
@@ -73,7 +73,7 @@ impl Units {
         self.scaled(x, 0, 1)
     }
 
-    /// Converts a bound with the unit Nᶠ mⁿ back to the units of the model and rounds it up.
+    /// Converts a bound from the units of the proof to the unit N^`force` · m^`length`, and rounds it up.
     pub fn restored(self, x: f64, force: i32, length: i32) -> f64 {
         let shift = force * self.force + length * self.length;
         let back = f64::scaled(x, shift);

@@ -157,10 +157,11 @@ mod tests {
         }
     }
 
-    /// Calls a function with the claim of a straight beam. The beam w = 2 − x has EI = ⅛, the tension P = ¼ and the
-    /// rotation φ = −1 − `turned`. The ground has k = ¼. μ rises from ¼ to ¾, and the shear stiffness S falls from 1
-    /// to ½. The ratio α = μ/(S + P) is at most 1. |α′|(S + P) is at most |μ′| + |S′| = 1, and 1 + P/S is at least
-    /// 5/4. The load equals the pressure 1 − x/4.
+    /// Calls `of` with a claimed solution for a beam of length 1 with EI = ⅛ and the tension P = ¼. The deflection is
+    /// w = 2 − x and the rotation φ = −1 − `turned`, so `turned` is the shear angle w′ − φ. The ground has k = ¼. Along
+    /// the beam, μ rises from ¼ to ¾, and the shear stiffness S falls from 1 to ½. The ratio
+    /// α = μ/(S + P) is at most 1. |α′|(S + P) is at most |μ′| + |S′| = 1, and 1 + P/S is at least 5/4. The load equals
+    /// the pressure 1 − x/4.
     fn with_claim<T>(turned: f64, touches: bool, of: impl FnOnce(&mut Claim) -> T) -> T {
         let model = "[beam]\nlength = 1\nEI = 0.125\naxial_force = 0.25\n[[beam.segment]]\nfrom = 0\nto = 1\n\
                      shear_stiffness = [1, 0.5]\n[foundation]\nk = 0.25\nmu = 0.25\n\
@@ -192,8 +193,9 @@ mod tests {
         assert!((1.0..1.0 + 1e-9).contains(&ratio), "{what}: {found:?} {expected}");
     }
 
-    /// Smallest bound (`moved`/h + `closed` + ½h·`spread`)/(1 − 0.8h) of the error of the transverse force over the
-    /// lengths h = 1, ½, ¼, ….
+    /// Returns the smallest error bound (`moved`/h + `closed` + ½h·`spread`)/(1 − 0.8h) of the transverse force for the
+    /// lengths h = 1, ½, ¼, …. `moved` is due to the errors of moment and deflection, `closed` to that of the axial
+    /// tension, and `spread` to that of the distributed load.
     fn first_force([moved, closed, spread]: [f64; 3]) -> f64 {
         let force = |j: i32| {
             let h = 0.5_f64.powi(j);

@@ -1,5 +1,4 @@
-//! The proof of a whole document: proves its answer, and compares every other listed number with proven
-//! intervals.
+//! Verifies a result document: proves its claimed solution, and compares all other listed numbers with proven intervals.
 
 use crate::bounds::Bound;
 use crate::document::Document;
@@ -19,8 +18,8 @@ use std::collections::BTreeSet;
 /// The proven parts of a document.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// The proof of the answer. Its error bounds of fields and reactions also hold for the numbers that the document
-    /// lists.
+    /// The proof of the claimed solution. Its error bounds of fields and reactions also hold for the numbers that the
+    /// document lists.
     pub proof: Proof,
     /// Bound of the error of the gap u + g₀ − w.
     pub gap: Bound,
@@ -181,7 +180,7 @@ impl Verification {
             };
             if claimed.len() != proven.len() {
                 let what = format!(
-                    "the document claims {} bounds of `{name}`, but it lists {} numbers",
+                    "the document lists {} error bounds of `{name}`, but {} are required",
                     claimed.len(),
                     proven.len()
                 );

@@ -23,7 +23,7 @@ pub enum Failure {
 pub struct Tipping {
     /// Motion r(0) and r(l) of the ends, and work F(r) of the loads in this motion.
     pub motion: [f64; 3],
-    /// Values of the motion r at the hinges.
+    /// Deflections of the hinges in the rigid-body motion r of the beam that proves that there is no equilibrium.
     pub hinges: Vec<f64>,
     /// Static reactions under the ends and under each free hinge between them.
     pub static_reactions: Vec<f64>,

@@ -217,8 +217,8 @@ impl Model {
         Ok(Answers { read: self.read.clone(), answers, seconds: host.seconds() })
     }
 
-    /// Checks the existence of an equilibrium. Returns the verdict, the static reactions, a motion that is free or in
-    /// which the loads do positive work, and a sentence.
+    /// Checks the existence of an equilibrium. Returns the verdict, the static reactions, a rigid-body motion that is
+    /// free or in which the loads do positive work, and a sentence that explains the verdict.
     fn check(&self, combination: Option<&str>) -> Result<Statics, Failure> {
         let combination = self.read.combination(combination)?;
         let model = &combination.model;

@@ -1,4 +1,4 @@
-//! A model file that was read, and the methods that solve its runs.
+//! A model file that was read: solves it, and finds load combinations by name and positions in text.
 
 use crate::failure::Failure;
 use crate::threads::Threads;

@@ -103,7 +103,8 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// Sets the number of threads. For the number 0, [`number`] chooses the number of threads.
+    /// Sets the number of threads; `None` for the caller's thread. If the number is 0, the function [`number()`] determines
+    /// the number of threads.
     pub fn new(number: Option<usize>) -> Self {
         Threads { number, started: Instant::now() }
     }

@@ -158,7 +158,7 @@ def test_the_message_about_an_invalid_calibration_names_its_remedy(footing: gb.M
             gb.calibrate(footing, {"deflection": ([x], [1e-3])}, ["k"])
     with pytest.raises(ValueError, match="measured `settlement`: a position is not a number"):
         gb.calibrate(footing, {"settlement": ([float("nan")], [1e-3])}, ["k"])
-    with pytest.raises(ValueError, match=r"unknown: give a list of names, as in \['mu'\]"):
+    with pytest.raises(ValueError, match=r"`unknown` must be a list of names, as in \['mu'\]"):
         gb.calibrate(footing, {"deflection": (X, X)}, "mu")
 
 

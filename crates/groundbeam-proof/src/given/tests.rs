@@ -1,4 +1,4 @@
-//! Compares the problem that is built from a claim with its model and answer, and checks that invalid claims are refused.
+//! Checks the problem that is built from a model and a claimed solution. Invalid models and solutions must be refused.
 
 #![cfg(test)]
 

@@ -154,7 +154,8 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
 }
 
 /// Checks (7) of docs/proof.md: a load on a simply supported cell causes a moment of at most a quarter of load
-/// times length. The bound for the redistributed loads is compared with their exact moment.
+/// times length. Here the load is the change of the contact pressure that restores equilibrium. The bound is compared
+/// with the exact moment due to this load.
 #[test]
 fn the_moment_of_redistributed_loads_is_bounded() {
     let mut random = numbers();

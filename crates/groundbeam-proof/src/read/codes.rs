@@ -10,8 +10,8 @@ pub(crate) struct Code {
     pub sets: &'static [Set],
 }
 
-/// Partial factors γ, by the letter of their table in the code. The unfavourable factor comes first, then the
-/// favourable factor if it differs.
+/// Partial factors γ, by the letter of their table in the code of practice. The unfavourable factor comes first, then
+/// the favourable factor if it differs.
 pub(crate) type Gammas = &'static [(&'static str, &'static [Micro])];
 
 /// A kind of action.

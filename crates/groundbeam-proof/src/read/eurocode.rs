@@ -6,7 +6,7 @@ const fn permanent(name: &'static str, gammas: Gammas) -> Action {
     Action { name, psi: None, gammas, is_permanent: true }
 }
 
-/// A variable action, with ψ in thousandths.
+/// A variable action. The arguments a, b and c are the combination factors ψ₀, ψ₁ and ψ₂ in thousandths.
 const fn variable(name: &'static str, [a, b, c]: [Micro; 3], gammas: Gammas) -> Action {
     Action { name, psi: Some([m(a), m(b), m(c)]), gammas, is_permanent: false }
 }
@@ -154,7 +154,7 @@ pub(crate) const BRITISH_BUILDINGS: Code = Code {
     ],
 };
 
-/// Partial factors of table A2.4, for road traffic and for other variable actions.
+/// Partial factors of EN 1990, tables A2.4(B) and A2.4(C): `ROAD` for road traffic, `OTHER` for other variable actions.
 const ROAD: Gammas = &[("B", &[m(1350)]), ("C", &[m(1150)])];
 const OTHER: Gammas = &[("B", &[m(1500)]), ("C", &[m(1300)])];
 /// Partial factors of settlements, for linear and for non-linear analysis. The factor is 0 where a settlement is

@@ -1,6 +1,6 @@
 //! Lengths in feet and inches, or with fractions, as a decimal number of inches: `12'-6"`, `12 ft 6 1/2 in`, `6 1/2 in`.
 
-/// Inches are counted in millionths, so that 64ths and six decimals are integers.
+/// Lengths are counted in millionths of an inch. So 1/64 inch and numbers of inches with six decimals are integers.
 const MILLION: u128 = 1_000_000;
 
 /// Converts a length in feet and inches, or with a fraction, to a decimal number of inches; `None` for every other

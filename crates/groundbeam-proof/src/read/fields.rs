@@ -81,7 +81,7 @@ pub(crate) struct Quantity<S> {
 pub(crate) enum Values {
     /// One value for a constant, or two values for a linear function.
     Linear,
-    /// At most this number of Bernstein coefficients.
+    /// The Bernstein coefficients of a polynomial, at most this many values.
     Curve(usize),
 }
 
@@ -165,7 +165,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// Returns the fault that a key is missing.
+    /// Returns the error for a missing key.
     pub fn missing<T>(&self, key: &'static str) -> Read<T> {
         fault(self.at, Reason::Missing(key))
     }
@@ -329,7 +329,8 @@ impl<S: Scalar> Along<S> {
         Along { course: Course::Constant(value), exact: None, at }
     }
 
-    /// The part of the quantity between two fractions of the length of its stretch.
+    /// Restricts the quantity to a part of its stretch. The part begins and ends at the fractions `way` of the length of
+    /// the stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         Along { course: super::course::between(&self.course, way), ..self.clone() }
     }

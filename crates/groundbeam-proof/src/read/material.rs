@@ -9,13 +9,13 @@ use super::error::{Read, wrong};
 use super::fields::{EXPANSION, Kind, MODULUS, Quantity, Section, UNIT_WEIGHT, listed};
 use crate::Scalar;
 
-/// A family of materials: the unit weight \[kN/m³\] if all materials have the same, the thermal expansion
-/// \[10⁻⁶/K\], and the materials.
+/// A family of materials, such as concrete: the common unit weight \[kN/m³\] of the materials (empty if it differs), their
+/// thermal expansion \[10⁻⁶/K\], and the list of the materials.
 struct Family {
     unit_weight: &'static str,
     expansion: &'static str,
-    /// Name, E \[GPa\] and unit weight \[kN/m³\] of each material. The unit weight is empty if it is that of the
-    /// family.
+    /// Name, E \[GPa\] and unit weight \[kN/m³\] of each material. The text of the unit weight is empty if the
+    /// common `unit_weight` applies.
     materials: &'static [(&'static str, &'static str, &'static str)],
 }
 

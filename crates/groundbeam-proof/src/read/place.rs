@@ -35,7 +35,7 @@ pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2
     rest.into_iter().map(|ends| (ends, ends.map(|x| x.div(length)))).collect()
 }
 
-/// Whether stretches cover all of 0 to `length`.
+/// Whether the stretches together cover the beam from 0 to `length`.
 pub(crate) fn covers<S: Scalar>(length: S, stretches: &[[S; 2]]) -> bool {
     left_out(length, stretches).is_empty()
 }

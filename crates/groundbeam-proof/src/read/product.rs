@@ -29,7 +29,8 @@ impl<S: Scalar> Given<S> {
         self.whole.is_none() && self.factors.iter().all(Option::is_none)
     }
 
-    /// The stiffness or its factors on a part of their stretch.
+    /// Restricts the stiffness, or its two factors, to a part of the stretch of the beam to which it applies. The part
+    /// begins and ends at the fractions `way` of the length of the stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         let part = |along: &Option<Along<S>>| along.as_ref().map(|along| along.between(way));
         Given {
@@ -60,7 +61,7 @@ impl<S: Scalar> Given<S> {
 }
 
 impl<S> Found<S> {
-    /// Returns the stiffness, or the fault of a missing key. `name` is the key of the stiffness.
+    /// Returns the stiffness, or an error if a key is missing. `name` is the key of the stiffness.
     pub fn known(self, section: Section, name: &'static str) -> Read<Along<S>> {
         match self {
             Found::Known(along) => Ok(along),

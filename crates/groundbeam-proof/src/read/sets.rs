@@ -35,9 +35,9 @@ pub(crate) struct Made {
     pub factors: Vec<(usize, String)>,
 }
 
-/// Returns the combinations of a set without duplicates, in the order of the set. Fails if the set makes no
-/// combination. `has_caseless` is true if the file has loads without a case. These loads are a combination even if
-/// no case is present.
+/// Returns the combinations of load cases that a set defines, without duplicates and in the order of the set. Returns an
+/// error if there is no combination. `has_caseless` states whether the file has loads without a load case. If it has
+/// such loads, a combination may consist of them alone.
 pub(crate) fn expand(
     name: &str,
     cases: &[Acting],
@@ -205,8 +205,8 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Tries each action of the first term. Also tries the first term without an action, unless one of its actions
-    /// must act. Then continues with the other terms.
+    /// Adds the load cases of each action of the first term in turn to the combination, and continues with the remaining
+    /// terms. Unless `must_act` is true, also continues without an action of the first term.
     fn variable(
         &mut self,
         label: &'static str,

@@ -27,7 +27,8 @@ impl<S: Scalar> Shear<S> {
         Shear { given: Given::nothing(), poisson: None, says_area: false }
     }
 
-    /// The shear data on a part of their stretch.
+    /// Restricts the shear stiffness or its factors to a part of the stretch of the beam to which they apply. The part
+    /// begins and ends at the fractions `way` of the length of the stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         Shear { given: self.given.between(way), ..self.clone() }
     }

@@ -82,7 +82,7 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(hinges)
 }
 
-/// Reads the corners of the initial gap.
+/// Reads the points (position, value) between which the initial gap is linear.
 pub(crate) fn gap<S: Scalar>(
     fields: &mut Fields,
     root: Section,

@@ -58,7 +58,7 @@ const BASES: [&str; 7] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.
 pub(super) type Powers = [i32; 8];
 pub(super) const INCH: Powers = [1, 0, 0, 0, 0, 0, 0, 0];
 pub(super) const ONE: Powers = [0; 8];
-/// Maximum power of a base.
+/// Maximum magnitude of the exponent of a number in `BASES`, and of the exponent of π/180.
 const HIGHEST: i32 = 50;
 
 /// The factor of a unit: 10^`ten` times powers of the numbers in `BASES` and of π/180.
@@ -82,11 +82,12 @@ impl Factor {
     }
 }
 
-/// A number with its unit and with the digits of the file. Equal quantities compare as equal.
+/// The exact value of a quantity: the decimal number in the file times the factor of its unit. The power of ten in this
+/// factor is part of `number`, so 25 cm and 0.25 m compare as equal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Exact {
     number: Decimal,
-    /// Exponents of `BASES` in the unit. The power of ten is part of `number`.
+    /// Exponents of the numbers in `BASES` and of π/180 in the factor of the unit.
     powers: Powers,
 }
 

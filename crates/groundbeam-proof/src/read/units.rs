@@ -14,7 +14,7 @@ impl Unit {
 
 /// Maximum depth of nested parentheses.
 const DEEPEST: usize = 8;
-/// Maximum power of a symbol.
+/// Maximum exponent of a unit symbol, such as 2 in `m^2`.
 const HIGHEST_POWER: i32 = 12;
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 

@@ -11,11 +11,11 @@ from ._solution import Array
 class Along:
     """Values of ``k``, ``mu`` or ``EI`` along the beam, for ``solve_many``.
 
-    A list is one row for all models. An array of models by values has one row for each model.
+    A list is a single row that all models share. An array of models by values has one row for each model.
     """
 
     values: Array
-    """The values, with one row for each model or one row for all models."""
+    """The values: one row for each model, or a single row that all models share."""
 
     def __init__(self, values: npt.ArrayLike) -> None:
         array = np.asarray(values, dtype=np.float64)

@@ -52,7 +52,8 @@ class Calibration(NamedTuple):
     at_bound: list[str]
     """Unknowns at a bound."""
     one_sided: bool
-    """Whether a derivative at the solution is one-sided; the standard errors neglect this."""
+    """Whether a computed value has only one-sided derivatives with respect to an unknown at the solution. The standard errors
+    neglect this."""
     steps: int
     """Number of solves."""
     solution: Solution
@@ -71,10 +72,10 @@ class _Problem:
         combination: Optional[str],
     ) -> None:
         if isinstance(unknown, str):
-            raise ValueError(f"unknown: give a list of names, as in [{unknown!r}]")
+            raise ValueError(f"`unknown` must be a list of names, as in [{unknown!r}]")
         self.model, self.unknown, self.combination = model, list(unknown), combination
         if not self.unknown or len(set(self.unknown)) != len(self.unknown):
-            raise ValueError("unknown: give the names of one or more parameters, and each name only once")
+            raise ValueError("`unknown` must contain the names of one or more parameters, and each name only once")
         self.outputs: list[Tuple[str, float, str]] = []
         self.names: list[str] = list(measured)
         self.shapes: list[int] = []

@@ -65,7 +65,7 @@ def run(
         i = futures.pop(future)
         unfinished = names[i].with_suffix(".unfinished")
         unfinished.write_bytes(future.result())
-        # A worker with another version of the package could give other results.
+        # Raises an error if the worker has another version of the package, because its results could differ.
         study._inner.is_done(unfinished, (i, count))
         os.replace(unfinished, names[i])
         # The results are stored locally, so the cluster can delete its copy.

@@ -11,7 +11,7 @@ use groundbeam_file::{
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;
 
-/// Values of one parameter, with one row for each model or one row for all models.
+/// Values of one parameter: one row for each model, or a single row that all models share.
 pub struct Parameter {
     name: String,
     target: Number,
@@ -25,7 +25,7 @@ pub struct Parameter {
 
 impl Parameter {
     /// Reads a parameter with its values and checks it against the models. `shape` is the name of the Python
-    /// class that gives the meaning of a row.
+    /// class of the values, which states how a row of values varies along the beam.
     pub fn read(
         name: &str,
         shape: Option<&str>,

@@ -28,7 +28,7 @@ pub fn run(
     crate::threads::map(count, threads, progress, solver, |solver, number| task.row(number, solver))
 }
 
-/// Row of a model, with a message if the model has no result.
+/// The result of one model as a row of the batch, with a message if the model has no result.
 pub struct Answered {
     pub row: Row,
     pub message: Option<String>,
