@@ -26,8 +26,9 @@ def weightless_winkler():
         ("M under the force", mp.coth(half) / 4, "moment", 5.0, TIGHT),
         ("slope outside the contact zone", 1 / (4 * mp.sinh(half)), "slope", 0.0, TIGHT),
     ]
-    note = "long weightless beam on tensionless Winkler ground, with b = (k/(4 EI))^(1/4): w = F b coth(pi/2)/(2 k) and "
-    note += "M = F coth(pi/2)/(4 b) under the force, and the slope F b^2/(k sinh(pi/2)) outside the contact zone"
+    note = "long weightless beam on tensionless Winkler ground under a force F, with b = (k/(4 EI))^(1/4): "
+    note += "under the force F, w = F b coth(pi/2)/(2 k) and M = F coth(pi/2)/(4 b); "
+    note += "outside the contact zone, the beam has the slope F b^2/(k sinh(pi/2))"
     return "weightless-winkler", model, note, checks
 
 
@@ -66,7 +67,7 @@ def rigid_winkler(e):
         ("contact from l - 3 (l/2 - e)", 1 - c, "from", None, 1e-11),
         ("w at the loaded end, 2 F/(k c) with the contact length c", 2 / c, "deflection", 1.0, 1e-11),
     ]
-    return f"rigid-winkler-{e}", model, "limit of a rigid beam, with the force outside the middle third", checks
+    return f"rigid-winkler-{e}", model, "limiting case of a rigid beam, with the force outside the middle third", checks
 
 
 def rigid_pasternak(m):
@@ -82,10 +83,10 @@ def rigid_pasternak(m):
         ("w at the loaded end", phi * (m + lam), "deflection", 1.0, 1e-10),
         ("end force at the loaded end", k * phi * lam * (m + 2 * lam), "right", None, 1e-10),
     ]
-    note = "limit of a rigid beam on Pasternak ground, with the contact length m and lam = sqrt(mu/k); the force F has the "
-    note += "distance m^2 (m + 3 lam)/(3 (m + 2 lam)^2) from the end of the beam; the slope is "
-    note += "phi = 2 F/(k (m + 2 lam)^2); at the loaded end, w = phi (m + lam) and the concentrated ground force is "
-    note += "k phi lam (m + 2 lam)"
+    note = "limiting case of a rigid beam on Pasternak ground, with the contact length m and lam = sqrt(mu/k): "
+    note += "the distance of the force F from the loaded end is m^2 (m + 3 lam)/(3 (m + 2 lam)^2); "
+    note += "the slope of the beam due to the force F is phi = 2 F/(k (m + 2 lam)^2); "
+    note += "at the loaded end, the deflection is w = phi (m + lam) and the concentrated ground force is k phi lam (m + 2 lam)"
     return f"rigid-pasternak-{mp.nstr(m, 3)}", model, note, checks
 
 
@@ -95,7 +96,8 @@ def rigid_kikuchi(offset):
     moment = float(mpf(1) / 2 - mpf(4) / 27) + offset
     loads = [Load("point", 1.0, 0.5), Load("moment", moment, 0.5)]
     model = Model(1.0, RIGID, 1.0, 1.0, loads=loads)
-    note = "limit of a rigid beam under a force and a moment M0; its left end lifts off at M0 = 1/2 - 4/27 = 0.351851..."
+    note = "limiting case of a rigid beam of length 1 under the force 1 and a moment M0 at its centre, with k = mu = 1; "
+    note += "the left end of the beam lifts off at M0 = 1/2 - 4/27 = 0.351851..."
     checks = [("end force 0 at first lift-off", mpf(0), "left", None, 1e-11)] if offset == 0 else []
     return f"rigid-kikuchi{offset:+g}" if offset else "rigid-kikuchi", model, note, checks
 

@@ -59,8 +59,8 @@ def stretch(r, first, end):
         if interval[0] < interval[1]:
             clear = on(interval, lambda t: least(r, i, t, 0, r.closing[i]) >= -depth)
             r.shows(
-                f"it is not proven that the clearance on piece {i} is at least -D, "
-                "where D is the height by which the proof raises the ground, see (10) in docs/proof.md",
+                f"the lower bound -D of the clearance on piece {i} is not proven; D is the height by which the proof "
+                "raises the ground, see (10) in docs/proof.md",
                 clear,
             )
     for side, node in ((0, first), (1, end)):

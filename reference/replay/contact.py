@@ -285,7 +285,7 @@ def roughly(contact):
             interval[side] += (1 - 2 * side) * theta / piece.half
             if not r.touches[i + side]:
                 r.shows(
-                    f"in the first round of the proof node {i + side} is a contact edge, but does not touch the ground",
+                    f"node {i + side} is a contact edge in the first round of the proof, but it does not touch the ground",
                     theta == 0,
                 )
         clear = on(interval, lambda t: least(r, i, t, 0) > limit(contact, i))

@@ -29,8 +29,8 @@ const U: usize = 2;
 const MOST_SWEEPS: usize = 4000;
 
 impl Linear {
-    /// Solves a uniform beam on uniform ground with loads and supports at nodes. An initial gap must be given at both
-    /// ends of the beam.
+    /// Solves a uniform beam on uniform ground with loads and supports at nodes. If the model has an initial gap, its
+    /// values at both ends of the beam must be given.
     pub fn solve(model: &Model, elements: usize) -> Self {
         let coarse = elements / 4;
         let start = if coarse.is_multiple_of(40) && coarse > 40 {

@@ -57,7 +57,7 @@ pub struct InnerForce {
 pub struct Doubtful {
     /// Models with a stretch whose force or clearance is below the rounding error.
     pub zones: Vec<DoubtfulZone>,
-    /// The answer for a beam that is balanced on one corner of the ground.
+    /// The answer for a beam that is balanced on one kink of the ground surface.
     pub balance: Balance,
 }
 
@@ -83,20 +83,20 @@ pub struct Stretch {
     pub touches: bool,
 }
 
-/// The multiprecision solution for a beam that is balanced on one corner of the ground.
+/// The multiprecision solution for a beam that is balanced on one kink of the ground surface.
 #[derive(Debug, Deserialize)]
 pub struct Balance {
     /// Name of the model.
     pub name: String,
     /// The model file.
     pub model: String,
-    /// Position of the corner of the ground on which the beam is balanced.
+    /// Position of the kink of the ground surface on which the beam is balanced.
     pub at: f64,
-    /// Contact force at the corner of the ground on which the beam is balanced.
+    /// Contact force at the kink of the ground surface on which the beam is balanced.
     pub force: f64,
-    /// Deflection of the beam at the corner of the ground on which it is balanced.
+    /// Deflection of the beam at the kink of the ground surface on which it is balanced.
     pub deflection: f64,
-    /// Settlement of the ground at its corner on which the beam is balanced.
+    /// Settlement of the ground surface at the kink on which the beam is balanced.
     pub settlement: f64,
     /// The least and the largest slope at which the beam is in equilibrium.
     pub slopes: [f64; 2],

@@ -57,7 +57,7 @@ fn shear(reader: &Reader, contents: &Contents, units: Units) -> Option<Fault> {
 
 #[cfg(test)]
 mod tests {
-    /// Returns the codes and the marked texts of the warnings about a model.
+    /// Returns, for each warning about a model, its code and the part of the input that it marks.
     fn warned(text: &str) -> Vec<(&'static str, String)> {
         let document = crate::parse(text).unwrap();
         let marked = |d: &crate::Diagnostic| (d.code, text[d.span.clone()].to_owned());

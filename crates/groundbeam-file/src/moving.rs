@@ -117,8 +117,8 @@ impl MovingTrain {
         (MovingTrain { train, spread, ..self.clone() }, fixed)
     }
 
-    /// Returns the name of the train, followed by the placement of its loads of infinite length unless these loads
-    /// act everywhere.
+    /// Returns the name of the train. If its uniform loads of unlimited length act on a part of the beam only, the name
+    /// of this part follows.
     pub fn placed_name(&self) -> String {
         match self.spread {
             Spread::Everywhere => self.name.clone(),

@@ -212,8 +212,8 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// Returns a bound of the error of the deflection at a one-way support that exerts a force. At a rigid support,
     /// the reaction after the correction for exact equilibrium, multiplied by this error, is at most the bound of the
-    /// error energy. A spring whose claimed force is large enough also exerts a force in the exact solution, and the
-    /// energy of its error is at most the same bound.
+    /// error energy. A spring whose claimed force is large enough also exerts a force in the exact solution. Half its
+    /// stiffness, multiplied by the square of this error, is then at most the bound of the error energy.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {

@@ -23,7 +23,7 @@ pub struct PlacedExtreme {
     pub field: String,
     /// Whether the extreme is the largest value of the field; otherwise it is the smallest value.
     pub is_max: bool,
-    /// Position of the extreme in the result document \[m\].
+    /// Position of the extreme along the beam \[m\], as the result document states it.
     pub listed: f64,
     /// Intervals that contain all positions of the exact extreme \[m\], from left to right. The list is empty if no
     /// interval is proven.

@@ -23,8 +23,8 @@ pub(crate) struct Fields<'a, S> {
     pub pressures: Vec<Pressure<S>>,
     pub residual: Residual<S>,
     pub clearance: Clearance,
-    /// Squared norms ‖c‖²_beam = Σ h EI c″² and Σ h c′² of the correction c of the deflection. The sums extend over the
-    /// pieces of the beam, with the length h of a piece.
+    /// Upper bounds of the squared norms ‖c‖²_beam = ∫EI c″² dx and ∫c′² dx of the correction c of the deflection. Each
+    /// bound is a sum over the pieces of the beam: the length of a piece times an upper bound of the integrand.
     pub closing: [Size; 2],
     /// Bound ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ of the residual in the equilibrium of the ground, in the energy norm ‖·‖_b
     /// of the ground. The terms are due to the correction c of the deflection, to residual forces r on a shear
@@ -185,8 +185,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
     }
 }
 
-/// Returns the squared norms ‖c‖²_beam = Σ h EI c″² and Σ h c′² of the correction c of the deflection, summed over the
-/// pieces with the lengths h.
+/// Returns upper bounds of the squared norms ‖c‖²_beam = ∫EI c″² dx and ∫c′² dx of the correction c of the deflection.
+/// Each bound is a sum over the pieces of the beam: the length of a piece times an upper bound of the integrand.
 fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2] {
     let mut both = [Size::ZERO; 2];
     for (span, c) in frame.spans.iter().zip(&deflection.pieces) {
@@ -205,8 +205,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the norms of the correction that removes the jumps of a claimed deflection. All pieces are longer
-    /// than the characteristic length (4EI/k)^¼, so each correction is a cubic.
+    /// Checks the bounds of the norms of the correction that removes the jumps of a claimed deflection. All pieces are
+    /// longer than the characteristic length (4EI/k)^¼, so each correction is a cubic.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
         let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";

@@ -221,7 +221,7 @@ impl<S: Scalar> Span<S> {
         let middle = (ends[0] + ends[1]).scaled(-1);
         let t = match S::ENCLOSES {
             true => x.map(|x| (x - middle).div(half)),
-            // In double precision, the coordinate t of an end is computed from small differences, to avoid cancellation.
+            // In double precision, x − `middle` would lose digits. The small differences between `x` and `ends` lose none.
             false => {
                 let stretch = (ends[1] - ends[0]).scaled(-1);
                 [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))

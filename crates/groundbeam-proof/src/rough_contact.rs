@@ -1,4 +1,4 @@
-//! Bounds of the edges of contact on each piece of a shear layer, without a bound of the slope.
+//! Bounds the positions of the contact edges on each piece of a shear layer, without a bound of the slope of the beam.
 //!
 //! On a beam with shear deformation, the bound of the slope needs a bound of the shear force. The bound of the shear
 //! force needs the lengths on which the beam is in contact in only one of the two solutions, the exact or the claimed.
@@ -20,8 +20,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Bounds of the edges of contact of every piece of a shear layer. The error bound of the concentrated contact
-    /// force is zero at nodes out of contact and infinite at nodes in contact.
+    /// Returns bounds of the positions of the contact edges on every piece of a shear layer. The error bound of the
+    /// concentrated contact force is zero at nodes out of contact and infinite at nodes in contact.
     pub fn roughly(&self) -> Shown {
         let frame = self.fields.frame;
         let mut shown = Shown::nothing(frame.nodes.len());
@@ -76,9 +76,9 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// Bound of the length at one end of a piece in contact on which the beam may be out of contact in the exact
-    /// solution; `None` if no bound is found. Requires p > ε_p on the whole piece, with the pressure p and its error
-    /// bound ε_p.
+    /// Returns a bound for one end of a piece that is in contact in the claimed solution. In the exact solution, the
+    /// beam may be out of contact at this end, but at most on a length equal to the bound. Returns `None` if no bound
+    /// is found. Requires p > ε_p on the whole piece, with the pressure p and its error bound ε_p.
     ///
     /// The bound is (2ε_Cμ/m)^½, with the error bound ε_C of the clearance and the stiffness μ of the shear layer. m is
     /// the smallest value of p − ε_p on a stretch that begins at the end of the piece. Longer and longer stretches are

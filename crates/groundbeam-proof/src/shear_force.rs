@@ -258,9 +258,10 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// Upper bound of the pressure |ku − q − (μψ′)′| that a piece out of contact, on a shear layer, would have in
-    /// contact. u is the settlement of the ground, q the load on the ground, and ψ = w − g₀ the deflection minus the
-    /// initial gap.
+    /// Returns an upper bound of |ku − q − (μψ′)′| on a piece of a shear layer that is out of contact in the claimed
+    /// solution. u is the claimed ground displacement, q the load on the ground, and ψ = w − g₀ the claimed deflection
+    /// minus the initial gap. If the exact solution has contact on the piece, its contact pressure is at most this bound
+    /// plus the error bound of the pressure.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         if let Some(along) = &self.fields.surface.pieces[i].along {
@@ -273,9 +274,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// Upper bound of the pressure that a piece out of contact, on a shear layer, would have in contact. The bound
-    /// holds within a distance of one end of the piece. From the end, u − q/k (settlement minus free-field settlement)
-    /// changes by at most the distance times its largest slope. The largest slope occurs at an end of the piece.
+    /// Returns an upper bound of |ku − q − (μψ′)′|, see `open_pressure`, within the given `distance` of one end of the
+    /// piece. From this end, u − q/k (settlement minus free-field settlement) changes by at most `distance` times its
+    /// largest slope. The largest slope occurs at an end of the piece.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {

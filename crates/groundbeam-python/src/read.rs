@@ -1,4 +1,4 @@
-//! A model file that was read: solves it, and finds load combinations by name and positions in text.
+//! Solves the model of a file that was read, finds its load combinations by name, and reads positions in the file's units.
 
 use crate::failure::Failure;
 use crate::threads::Threads;

@@ -122,8 +122,7 @@ impl Say<'_> {
         if self.model.supports.is_empty() {
             return format!("{} acts down and the tension resists rotation", self.resultant());
         }
-        "every motion that the supports allow and that lifts the beam does work against the loads"
-            .to_owned()
+        "the loads resist every motion that lifts the beam and that the supports allow".to_owned()
     }
 
     fn not_unique(&self, motion: RigidMotion) -> String {
@@ -266,7 +265,10 @@ mod tests {
             ),
             (beam(), "the loads have no resultant"),
             (outside().with_support(Support::pinned(4.0)), "the support at its right end: the"),
-            (outside().with_support(Support::pinned(1.0)), "every motion that the supports allow"),
+            (
+                outside().with_support(Support::pinned(1.0)),
+                "lifts the beam and that the supports allow",
+            ),
         ];
         for (model, part) in cases {
             let said = said(&model);

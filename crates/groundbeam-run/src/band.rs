@@ -22,7 +22,8 @@ pub const BEST: [f64; 2] = [1.0, 1.0];
 impl Answers {
     /// The smallest and the largest value of each field over all combinations, in the order of [`Field::ALL`].
     /// Each value is given for the best estimates of k and μ, with its range over all solved pairs of k and μ.
-    /// `None` if the file gives no factors on k and μ, or if no combination is solved for the best estimates.
+    /// `None` if the file gives no factors on k and μ, or if no combination is solved with the best
+    /// estimates of k and μ.
     pub fn bands(&self) -> Option<ByField<[Banded; 2]>> {
         let mut grounds = vec![BEST];
         for ground in self.solved().filter_map(|(answer, _)| answer.label.combination.ground) {

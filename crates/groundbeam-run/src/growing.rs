@@ -37,7 +37,7 @@ impl Growing {
         Growing { grows: grows.collect(), cases }
     }
 
-    /// Computes the load factors of a model with the constants k and μ of its foundation.
+    /// Computes the load factors of a model. The load factors do not change the constants k and μ of the ground.
     pub(crate) fn factors(&self, model: &Model, options: &Options) -> Result<Factors, Error> {
         // If no case is named, all loads on the beam grow, except temperature loads and a camber. Loads on the
         // ground outside the beam keep their values.

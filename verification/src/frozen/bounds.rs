@@ -36,8 +36,9 @@ const FLOOR: f64 = 1e-9;
 /// Relative limit that replaces `FLOOR` for the shear force V at supports, and in models with a contact zone or a gap
 /// between zones that is shorter than `EDGE` times the beam length.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
-/// Limits of the differences of fields and of their derivatives, as multiples of e = √g + √g′. Here g and g′ are the
-/// relative energy gaps of the stored and the present answer.
+/// Limits of the differences of fields, as multiples of e = √g + √g′. The second limit applies to the shear force V and
+/// the pressure p, which are derivatives of the moment with respect to x. The first limit applies to all other fields.
+/// g and g′ are the relative energy gaps of the stored and the present answer.
 const SHARES: [f64; 2] = [3.0, 100.0];
 
 /// Returns all differences between a frozen answer and the present answer that exceed the bounds. A frozen answer

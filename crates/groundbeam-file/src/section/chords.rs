@@ -10,7 +10,8 @@ const TOLERANCE: f64 = 1e-3;
 /// from the middle of a trough.
 const PER_WIDTH: f64 = 24.0;
 const NEAR: f64 = 5.0;
-/// Number of chords per beam length that is always sufficient for accurate contact edges.
+/// Number of chords per beam length that is always sufficient for accurate contact edges. The chords replace the curve
+/// of a settlement trough.
 const PER_LENGTH: f64 = 600.0;
 
 /// Required number of chords per unit length, 1/h. Chords of the length h replace the curve of the settlement troughs.
@@ -30,7 +31,8 @@ pub(super) struct Spacing<'a> {
     by_curvature: f64,
     /// Required 1/h for accurate contact edges, divided by the curvature |g″| of the gap. h is the chord length.
     by_corner: f64,
-    /// Number of chords per unit length that is always sufficient for accurate contact edges.
+    /// Number of chords per unit length that is always sufficient for accurate contact edges. The chords replace the
+    /// curve of a settlement trough.
     most_for_corners: f64,
 }
 

@@ -19,8 +19,8 @@ use groundbeam::{
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A kind of load. Its key in the file, such as `point`, determines the physical quantity of its value and the load
-/// of the model that it becomes.
+/// A kind of load. Its key in the file, such as `point`, determines the physical quantity of its value. The key also
+/// determines whether the load is a force, a moment or an imposed curvature of the beam.
 pub(crate) struct LoadKind {
     pub key: Key,
     /// SI unit of the quantity under this key.
@@ -315,13 +315,15 @@ fn intensity(
 /// Refuses `expansion` and `depth` for loads that do not use them.
 fn refuse_keys_of_curvatures(reader: &mut Reader, table: &Section, kind: &str) {
     if kind != "temperature_difference" {
-        let advice = "`expansion` belongs to a `temperature_difference`";
+        let advice = "`expansion` is allowed only together with `temperature_difference`";
         misplaced(reader, table, kind, &["expansion"], advice);
     }
     let advice = match kind {
         "temperature_difference" | "shrinkage_difference" => return,
         "curvature" => "a curvature needs no depth",
-        _ => "`depth` belongs to a `temperature_difference` or a `shrinkage_difference`",
+        _ => {
+            "`depth` is allowed only together with `temperature_difference` or `shrinkage_difference`"
+        }
     };
     misplaced(reader, table, kind, &["depth"], advice);
 }

@@ -26,8 +26,8 @@ pub(super) struct Segment {
     pub to: f64,
     /// EI of a beam segment, or k of a ground segment.
     pub stiffness: Profile,
-    /// S of a beam segment, or μ of a ground segment; `None` if the value of the table `[beam]` or `[foundation]`
-    /// applies.
+    /// Shear stiffness S of a beam segment, or stiffness μ of the shear layer of a ground segment; `None` if the value
+    /// of the table `[beam]` or `[foundation]` applies.
     pub second: Option<Profile>,
 }
 

@@ -48,7 +48,7 @@ pub(crate) static STUDY: Table = Table {
             Value::Count([1, sampling::MOST_REPLICATES]),
             "The number of independent hypercubes or sequences; default: 16.",
         ),
-        tables("random", &random::TABLE, "A number of the model that is random."),
+        tables("random", &random::TABLE, "A random parameter of the model."),
         tables("correlated", &random::CORRELATED, "The correlation of two random numbers."),
         table("field", &field::TABLE, "Random fields along the beam."),
         table("keep", &keep::TABLE, "The values saved for each sample."),
@@ -71,7 +71,7 @@ pub struct StudyFile {
     pub document: Document,
     /// Number of samples, seed and sampling method.
     pub plan: Plan,
-    /// Numbers of the model that are random.
+    /// Random parameters of the model.
     pub random: Vec<Random>,
     /// Correlations between the random numbers.
     pub joined: Vec<Joined>,

@@ -15,7 +15,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A number of the model that is random.
+/// A random parameter of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Random {
     /// Name of the random number in the file, such as `load[0]`.

@@ -244,9 +244,14 @@ fn the_curvature_of_the_clearance_has_a_lower_bound() {
     }
 }
 
-/// Returns three fields of the `Approach` at x = 1, the left end of the open piece: the distance θ, the error bound of
-/// the flux μu′, and μ|C′| with the clearance C. `errors` contains error bounds that apply to all pieces: a common
-/// bound of deflection and ground displacement, a bound of the slope, and a bound of the pressure.
+/// Returns three values at x = 1, the left end of a piece without contact in the claimed solution:
+///
+/// * the distance θ from this end beyond which the piece has no contact in the exact solution,
+/// * the error bound of the force μu′ in the shear layer, where u is the ground displacement,
+/// * μ|C′|, where C is the clearance.
+///
+/// `errors` contains three error bounds that apply to all pieces: a common bound of deflection and ground displacement,
+/// a bound of the slope, and a bound of the pressure.
 fn approach_at_one(model: &str, document: &Value, errors: [f64; 3]) -> Option<[f64; 3]> {
     with_fields(model, document, |fields| {
         let units = fields.frame.units;

@@ -55,8 +55,9 @@ fn the_depth_of_a_beam_in_loaded_springs_is_bounded() {
     assert!((50..290).contains(&deep), "{deep}");
 }
 
-/// The claimed slope jumps at x = 1, where an open piece begins. The constructed deflection has no jump of the slope.
-/// At x = 1 it has the slope −0.2 of the left piece, for every size of the claimed jump.
+/// The claimed slope of the beam jumps at x = 1, where a piece without contact begins. The proof replaces the claimed
+/// deflection by one with a continuous slope. At x = 1 this slope is −0.2, the claimed slope of the left piece, for
+/// every size of the claimed jump.
 #[test]
 fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
     let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\

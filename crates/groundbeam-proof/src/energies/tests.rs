@@ -210,9 +210,9 @@ fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
 }
 
 /// Checks ground with a shear layer from x = 1 to 5, and Winkler ground from x = 0 to 1. The beam touches the ground
-/// up to x = 2, from 3 to 3.5, and under the force at 4.5. A distributed load q acts on the ground of the layer, and
-/// a point force at x = 2.5. Where the beam does not touch the layer, the ground displacement is u = q/k + v with a
-/// solution v of μv″ = kv, and u has given values at the ends of each such stretch.
+/// up to x = 2, from 3 to 3.5, and under the force at 4.5. A distributed load q acts on the ground from x = 1 to 5,
+/// and a point force acts on the ground at x = 2.5. Where the beam does not touch the layer, the ground displacement is
+/// u = q/k + v with a solution v of μv″ = kv, and u has given values at the ends of each such stretch.
 #[test]
 fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     let (k, mu, b) = (2.0, 0.5, 2.0_f64);

@@ -324,13 +324,13 @@ pub(crate) fn listed<S: Scalar>(text: &str, kind: Kind) -> Read<Quantity<S>> {
 }
 
 impl<S: Scalar> Along<S> {
-    /// A quantity that is constant along a stretch.
+    /// A quantity that is constant on its interval.
     pub fn constant(value: S, at: usize) -> Self {
         Along { course: Course::Constant(value), exact: None, at }
     }
 
-    /// Restricts the quantity to a part of its stretch. The part begins and ends at the fractions `way` of the length of
-    /// the stretch.
+    /// Restricts the quantity to a part of the interval on which it is given. `way` contains the two ends of this part,
+    /// as fractions of the length of the interval.
     pub fn between(&self, way: [S; 2]) -> Self {
         Along { course: super::course::between(&self.course, way), ..self.clone() }
     }

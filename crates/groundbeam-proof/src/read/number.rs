@@ -50,7 +50,8 @@ fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
     let bytes = text.as_bytes();
     let digit_at = |i: usize| bytes.get(i).is_some_and(|b| is_digit(*b));
     let right = |i: usize| match bytes[i] {
-        // An underscore on the left would be refused, because this underscore is not a digit.
+        // A digit must follow an underscore. The character before the underscore needs no check: it is a digit or
+        // another underscore, and the other underscore is refused because no digit follows it.
         b'_' => i > 0 && digit_at(i + 1),
         byte => is_digit(byte),
     };

@@ -205,8 +205,9 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Adds the load cases of each action of the first term in turn to the combination, and continues with the remaining
-    /// terms. Unless `must_act` is true, also continues without an action of the first term.
+    /// Extends the combination by the remaining `terms`. For each action in the first of these terms, adds load cases of
+    /// this action and continues with the other terms. Unless `must_act` is true, also continues without any action of
+    /// the first term.
     fn variable(
         &mut self,
         label: &'static str,

@@ -117,7 +117,9 @@ class Combinations(Mapping[str, Answer]):
         mu between the solved ones."""
         found = self._inner.band(field)
         if found is None:
-            raise ValueError("the model has no [foundation.band], or no combination is solved for the best estimates")
+            raise ValueError(
+                "the model has no [foundation.band], or no combination was solved with the best estimates of k and mu"
+            )
         low, high = found
         return Band(Banded(*low), Banded(*high))
 

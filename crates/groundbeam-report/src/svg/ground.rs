@@ -121,7 +121,7 @@ pub(super) fn constants(
     }
 }
 
-/// Returns the outline of the area between a line and the bottom of the ground.
+/// Returns the outline of the area between a polyline and the bottom of the ground.
 fn below(line: &[[f64; 2]], bottom: f64) -> Vec<[f64; 2]> {
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[0]));
     let mut area = vec![[ends[0], bottom]];
@@ -130,7 +130,7 @@ fn below(line: &[[f64; 2]], bottom: f64) -> Vec<[f64; 2]> {
     area
 }
 
-/// The part of a line between two page coordinates.
+/// The part of a polyline between the horizontal page coordinates `from` and `to`.
 fn between(line: &[[f64; 2]], from: f64, to: f64) -> Vec<[f64; 2]> {
     let inside = line.iter().copied().filter(|p| from < p[0] && p[0] < to);
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[0]));
@@ -144,7 +144,7 @@ fn between(line: &[[f64; 2]], from: f64, to: f64) -> Vec<[f64; 2]> {
     part
 }
 
-/// Interpolates the vertical page coordinate of a line at a horizontal page coordinate.
+/// Interpolates the vertical page coordinate of a polyline at a horizontal page coordinate.
 pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[1]));
     let next = line.partition_point(|point| point[0] < x);

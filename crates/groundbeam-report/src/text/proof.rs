@@ -97,9 +97,9 @@ pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
         Ok(set) => {
             let words = match set.regions.len() {
                 1 => {
-                    "exactly one contact region or point, the one that the results list".to_owned()
+                    "exactly one contact region or point: the one listed in the results".to_owned()
                 }
-                n => format!("exactly {n} contact regions and points, those that the results list"),
+                n => format!("exactly {n} contact regions and points: those listed in the results"),
             };
             sheet.row("Contact", &words);
         }

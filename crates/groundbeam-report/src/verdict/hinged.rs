@@ -14,7 +14,7 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
         Verdict::Unique => {
             let held = if model.supports.is_empty() { "hinges" } else { "hinges and supports" };
             format!(
-                "every motion that its {held} allow and that lifts part of the beam does work against the loads"
+                "the loads resist every motion that lifts part of the beam and that its {held} allow"
             )
         }
         Verdict::NotUnique(motion)
@@ -103,7 +103,7 @@ mod tests {
                 .with_load(Load::uniform_force(0.0, 6.0, 1.0))
         };
         let cases = [
-            (slab(), "every motion that its hinges allow", "", ""),
+            (slab(), "lifts part of the beam and that its hinges allow", "", ""),
             (
                 slab().with_load(Load::point_force(6.0, -3.0)),
                 "lift a part of the beam: the right end lifts, the hinge at x = 4 stays",

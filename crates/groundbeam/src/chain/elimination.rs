@@ -246,8 +246,9 @@ fn cross(
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // Replaces the four unknowns of the element by the deflection and the rotation of the right node and the
-    // two eliminated beam unknowns. Sorts all six unknowns as in `ORDER`.
+    // Transforms the stiffness matrix and the load vector. The four beam unknowns of the element are expressed by the
+    // deflection and the rotation of the right node and the two beam unknowns that are eliminated. These four and the
+    // two surface unknowns of the ground are sorted as in `ORDER`.
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {

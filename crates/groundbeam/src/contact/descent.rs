@@ -110,8 +110,8 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
         let cell = &found.mesh.cells[point.cell];
-        // A zone end at the left end of a cell must stay at the left end of a cell. So the cell of the finer
-        // mesh is searched at a position just to the right of the zone end.
+        // A zone end at the left end of a cell of the coarse mesh must be at the left end of a cell of the finer
+        // mesh too. So the cell of the finer mesh is searched at a position just to the right of the zone end.
         if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
             BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }

@@ -48,8 +48,9 @@ struct SpanPart<R> {
 struct VaryingGround<R> {
     /// Relation between the settlements and the forces at the two points.
     link: TwoPort<R>,
-    /// Coefficients in s ∈ \[−1, 1\] of two surfaces. The first surface is 1 at the left point and 0 at the right
-    /// point, and the second surface is 0 at the left point and 1 at the right point.
+    /// Coefficients of the powers of s ∈ \[−1, 1\] in two settlement shapes of the ground surface. The first shape has
+    /// the settlement 1 at the left point and 0 at the right point, and the second shape 0 at the left point and 1 at
+    /// the right point.
     surfaces: [Coefficients<R>; 2],
 }
 
@@ -95,9 +96,9 @@ impl<R: Real> SpanPart<R> {
     }
 
     /// Computes ∫π φ dx over the part of the cell, divided by half the length of the part. The pressure π, with the
-    /// coefficients `pi`, would close the span. φ is one of two surfaces of unloaded ground. The first surface is 1 at
-    /// the left end of the part and 0 at the right end, and the second surface is 0 at the left end and 1 at the right
-    /// end.
+    /// coefficients `pi`, would close the span. φ is one of two settlement shapes of unloaded ground. The first shape
+    /// has the settlement 1 at the left end of the part and 0 at the right end, and the second shape 0 at the left end
+    /// and 1 at the right end.
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
@@ -112,7 +113,8 @@ impl<R: Real> SpanPart<R> {
             }
             return under;
         }
-        // The second surface is sinh(t z)/sinh(z) at the fraction t of the length z.
+        // The settlement shape that is 1 at the right end is sinh(tz)/sinh(z). z is the length of the part times
+        // √(k/μ), and t the distance from the left end divided by the length of the part.
         let square = self.length * self.length;
         for (x, weight) in GAUSS_16 {
             let t = 0.5 - 0.5 * x;

@@ -113,9 +113,9 @@ pub(crate) const SHORT: f64 = 24.0;
 pub(crate) const STIFF_WAVES: f64 = 4.0;
 
 /// Longest and shortest step of the continuation in the beam's stiffness, as changes of log₂ of the stiffness. If a step
-/// up to `SEARCHED_STEP` does not converge, Newton's method with a line search solves the beam. With this limit at 1e-7,
-/// the solver finds no solution of the random model Hard 9773. If the shortest step is 1e-6 too, it finds none of Extreme
-/// 1393.
+/// of at most `SEARCHED_STEP` does not converge, Newton's method with a line search solves the beam. With
+/// `SEARCHED_STEP` = 1e-7, the solver finds no solution of the random model Hard 9773. With `SHORTEST_STEP` = 1e-6, the
+/// solver finds no solution of the random model Extreme 1393.
 pub(crate) const LONGEST_STEP: f64 = 2.0;
 pub(crate) const SEARCHED_STEP: f64 = 1e-6;
 pub(crate) const SHORTEST_STEP: f64 = 1e-7;

@@ -57,8 +57,8 @@ impl Equilibrium<'_> {
         readings.iter().flat_map(|reading| self.reads(&reading.of)).collect()
     }
 
-    /// Computes the adjoint displacements of each output. The loads of these displacements are the derivatives of the
-    /// output with respect to the unknowns. Returns `None` if the beam is a mechanism.
+    /// Computes the adjoint displacements of each output. These are the displacements of the beam under loads that equal
+    /// the derivatives of the output with respect to the unknowns. Returns `None` if the beam is a mechanism.
     pub fn adjoints(&self, readings: &[Reading]) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut linear = Linear::<4>::new(self);
         linear.vary(Vec::new());

@@ -31,7 +31,7 @@ pub(super) struct Steps {
     /// element minus the true slope of the beam at this position.
     pub slope: f64,
     /// Derivative of the jump of the settlement of ground without contact with respect to the position of the load. The
-    /// jump is the value at the end of the cell minus the value at its node.
+    /// jump is the settlement at the end `spot` of the cell minus the settlement of the node at this end.
     pub drift: f64,
 }
 

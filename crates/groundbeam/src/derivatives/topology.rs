@@ -48,7 +48,8 @@ impl Condition {
 /// The nearest change of contact: the quantity with the smallest relative margin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
-    /// The quantity that is closest to zero. The contact zones or the active supports change if it becomes zero.
+    /// Of all quantities that change the contact zones or the active supports when they become zero, the quantity
+    /// closest to zero.
     pub condition: Condition,
     /// Position \[m\] of the pressure, force, gap, angle or support. For a length, it is the left end of the zone or
     /// span.

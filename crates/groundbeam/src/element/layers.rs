@@ -93,8 +93,8 @@ impl<R: Real> Layers<R> {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
-            // Farther from the end than its depth, a boundary layer is below rounding error, so it is omitted. A piece
-            // there may be too long for a short power series of the exponential function.
+            // Farther than `LAYER`/r₂ from the end of the element, the boundary layer of this end is below rounding
+            // error, so it is omitted. The piece may then also be too long for an accurate power series of this layer.
             if height == 0.0 || self.fast.value() * distance > LAYER {
                 continue;
             }

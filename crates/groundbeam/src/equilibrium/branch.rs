@@ -163,7 +163,8 @@ fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Int
     let moved = |i: &usize| (last[*i] - newer[*i]).abs();
     let most = (0..last.len()).max_by(|a, b| moved(a).total_cmp(&moved(b)))?;
     let parameter = [older, newer].map(|edges| edges[most] - last[most]);
-    // Coefficients of the linear and the quadratic term of a function with the given differences from its last value.
+    // Coefficients of the linear and the quadratic term of the parabola through three values of a function of
+    // `parameter`. `differences` are the first and the second value, each minus the last value.
     let coefficients = |differences: [f64; 2]| {
         let [first, second] = [0, 1].map(|i| differences[i] / parameter[i]);
         let square = (first - second) / (parameter[0] - parameter[1]);
@@ -266,7 +267,8 @@ fn other_supports(
 mod tests {
     use super::*;
 
-    /// Near a limit point at the compression 1, the edges are linear functions of √(1 − compression).
+    /// The equilibrium path has a limit point where the compression is 1. Near this point, the positions of the contact
+    /// edges are linear functions of √(1 − compression).
     #[test]
     fn edges_are_extrapolated_exactly_near_a_limit_point() {
         let contact = |compression: f64| {

@@ -45,7 +45,7 @@ fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     }
 }
 
-/// Iterates on the rate r = ∫u'²/∫u² of the ground displacement u, until the r of the solution equals the r from which
+/// Iterates on the ratio r = ∫u'²/∫u² of the ground displacement u, until the r of the solution equals the r from which
 /// k and μ were computed. The initial r is that of a soil with the decay parameter γ = 1.
 fn iterate(
     soil: &SoilModel,
@@ -79,7 +79,7 @@ fn iterate(
     }))
 }
 
-/// Returns the next value of the rate r = ∫u'²/∫u² of the ground displacement u, by the secant method through the last
+/// Returns the next value of the ratio r = ∫u'²/∫u² of the ground displacement u, by the secant method through the last
 /// two iterations. If the secant leads far from the last iteration, returns the r of the last solution.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };

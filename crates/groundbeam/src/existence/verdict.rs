@@ -12,8 +12,9 @@ pub enum Verdict {
     /// More than one equilibrium exists, because this rigid motion does not change the energy. A static
     /// reaction is zero, or the beam rests on one point only.
     NotUnique(RigidMotion),
-    /// No equilibrium exists. In this rigid motion the beam presses nowhere on the ground, and the loads do positive
-    /// work. If the loads do no work, one of them needs a concentrated contact force that the ground cannot exert.
+    /// No equilibrium exists. In this rigid motion the beam presses nowhere on the ground, and the work of the loads is
+    /// positive or zero. If the work is zero, one of the loads needs a concentrated contact force that the ground
+    /// cannot exert.
     None(RigidMotion),
     /// Without the ground, the compression would make the beam unstable. A stable equilibrium exists on the
     /// path that starts at the solution without compression. This equilibrium is local, because other

@@ -1,6 +1,6 @@
-//! Computes the forces at both ends of ground without contact from the settlements of its ends by two-ports, (2.2)–(2.5).
+//! Computes the end forces of ground without contact from its end settlements by two-ports, (2.2)–(2.5) of Kikuchi's paper.
 //!
-//! Two-ports in series form the inverse of the matrix (5.8) of Green's function (2.4). This inverse is
+//! Two-ports in series form the inverse of the paper's matrix (5.8) of Green's function (2.4). This inverse is
 //! tridiagonal, so the full matrix (5.8) is never formed.
 //!
 //! Unloaded ground, −(μu')' + ku = 0, acts between two points of its surface like three springs. One spring
@@ -132,7 +132,8 @@ impl<R: Real> Pair<R> {
         ([level / determinant, rise / determinant], determinant)
     }
 
-    /// Returns the coefficients of the surface with the values `ends` at both ends of the stretch.
+    /// Returns the power series coefficients of the ground displacement u on the stretch, from the values `ends` of u
+    /// at both ends.
     pub fn between(&self, ends: [R; 2]) -> Coefficients<R> {
         let ([level, rise], _) = self.amplitudes(ends);
         self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()

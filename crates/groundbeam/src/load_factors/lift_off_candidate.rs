@@ -152,7 +152,7 @@ mod tests {
                 assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
             }
         }
-        // The pressure 2 − λ (1 + s) is compressive for all s in [−1, 1] if λ ≤ 1/2. A pressure is
+        // The pressure 2 − λ (1 + s) is compressive for all s in [−1, 1] if λ < 1, so also at λ = 1/2. A pressure is
         // compressive for every λ if its constant part and its part proportional to λ are both compressive.
         assert_eq!(falling.first_tension_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_tension_below(f64::INFINITY), None);
@@ -185,7 +185,7 @@ mod tests {
         // a factor λ counts as zero if 3λ is at most 256 ε · 2, with the machine epsilon ε.
         assert!(constant(0.0).is_nothing(SUM_ROUNDING * 0.66));
         assert!(!constant(0.0).is_nothing(SUM_ROUNDING * 0.67));
-        // A pressure of zero is not tensile.
+        // The pressure of this candidate is zero at every load factor, so it is never tensile.
         let nothing = LiftOffCandidate {
             x: [0.0, 1.0],
             staying: side(&[0.0], 0.0),

@@ -346,8 +346,8 @@ impl Grid {
         self.runs.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Minimum number of elements of a model with which one power series per element represents the deflection where
-    /// the beam is out of contact.
+    /// Minimum number of elements of a model. Where the beam is out of contact, each element must be so short that one
+    /// power series represents the deflection.
     pub fn fewest(model: &Model) -> usize {
         let axial_force = model.beam.axial_force;
         let mut fewest = 0_usize;

@@ -211,9 +211,9 @@ impl Hull<'_> {
     }
 }
 
-/// Ground out of contact on one side of a node that is tried as the end of a contact zone. The equivalent springs of
-/// the ground from the end of the node's row of equal elements to the neighbouring contact zone are stored for the next
-/// trial.
+/// Ground out of contact on one side of a node that is tried as the end of a contact zone. `run` is the row of equal
+/// elements on this side of the node. `rest` contains the equivalent springs of the ground from the end of this row to
+/// the neighbouring contact zone. `rest` is stored for the next trial.
 #[derive(Default)]
 struct Opening {
     run: usize,

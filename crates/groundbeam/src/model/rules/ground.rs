@@ -57,9 +57,11 @@ impl Model {
                 GroundEnd::Held { .. } => {
                     (beyond > 0.0, "a wall must be outside the beam, whose end is at {1}")
                 }
-                _ => {
-                    (beyond >= 0.0, "the ground must end at the beam's end, at {1}, or outside it")
-                }
+                _ => (
+                    beyond >= 0.0,
+                    "the ground must not end inside the beam: \
+                     it must reach at least the beam's end at {1}",
+                ),
             };
             if !(right && in_range(at) && in_range(beyond)) {
                 let message = "the ground cannot end at {0}";
