@@ -56,7 +56,7 @@ fn a_document_with_its_proof_is_verified() {
     document["proof"]["bounds"]["edges"] = json!([1.0]);
     folder.write("result.json", document.to_string().as_bytes());
     let verified = folder.run(&["verify", "result.json", "model.toml"]);
-    assert!(verified.stdout.contains("claims 1 bounds of `edges`"), "{}", verified.stdout);
+    assert!(verified.stdout.contains("lists 1 error bounds of `edges`"), "{}", verified.stdout);
 }
 
 #[test]

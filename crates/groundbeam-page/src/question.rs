@@ -171,7 +171,7 @@ impl Asked {
         }
         let Some(at) = self.first_axle else { return Ok(()) };
         let Some(Trains::One(i)) = self.train else {
-            let allowed = "the position of the first axle of one train, and `train` must be the index of this train";
+            let allowed = "a position of the one train that `train` selects by its index";
             return Err(WrongQuery::value("first_axle", &at.to_string(), allowed));
         };
         let [from, to] = file.trains[i].range;
