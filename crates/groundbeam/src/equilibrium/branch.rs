@@ -153,8 +153,8 @@ fn predicted(
 
 /// Extrapolates the contact edges from three equilibria. Near a limit point the compression is a quadratic function of
 /// the edges. The edge that moved most is the parameter: the compression and all edges are quadratic functions of it.
-/// Returns `None` if the compression is above the maximum of its function, if the number of zones changed, or if two
-/// zones would meet.
+/// Returns `None` if this edge has turned back, if the compression is above the maximum of its function, if the number
+/// of zones changed, or if two zones would meet.
 fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Interval>> {
     let [older, newer, last] = points.map(|point| point.contact.as_flattened());
     if older.len() != last.len() || newer.len() != last.len() {
@@ -172,6 +172,10 @@ fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Int
     };
     let step = |i: usize| points[i].compression - points[2].compression;
     let [linear, square] = coefficients([step(0), step(1)]);
+    let is_monotone = parameter[0] / parameter[1] > 1.0 && linear * parameter[1] < 0.0;
+    if !is_monotone {
+        return None;
+    }
     let wanted = compression - points[2].compression;
     let root = (linear * linear + 4.0 * square * wanted).sqrt();
     let at = 2.0 * wanted / (linear + root.copysign(linear));

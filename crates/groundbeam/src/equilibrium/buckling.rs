@@ -50,9 +50,17 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
 /// Returns the buckling load of the beam bonded to the ground on given intervals \[N\]. The value is a lower
 /// bound, accurate to twelve digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
-    least_unstable(model, |compression| {
-        Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
-    })
+    least_unstable(model, |compression| is_stable_bonded(model, contact, compression, cancel))
+}
+
+/// Whether the beam bonded to the ground on given intervals is stable under a compression.
+pub(crate) fn is_stable_bonded(
+    model: &Model,
+    contact: &[Interval],
+    compression: f64,
+    cancel: &Cancel,
+) -> bool {
+    Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
 }
 
 /// A lower bound of the compression at which the beam becomes unstable.

@@ -8,7 +8,7 @@ use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
 use crate::contact::intervals::Interval;
 use crate::equilibrium::branch::{EquilibriumPath, PathEnd, PathPoint, follow};
-use crate::equilibrium::buckling::bonded_buckling_load;
+use crate::equilibrium::buckling::{bonded_buckling_load, is_stable_bonded};
 use crate::equilibrium::one_way;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence::existence;
@@ -62,14 +62,12 @@ pub(crate) fn check(
         follow(model, PathPoint { compression: 0.0, contact, active: acts }, cancel);
     // At a limit point the stability margin is zero. If the iteration stops at a larger margin, the end of
     // the path is not known.
-    if end == PathEnd::NotConverged {
-        let margin = 1.0
-            - last.compression
-                / bonded_buckling_load(&last.on_active_supports(model), &last.contact, cancel);
-        if margin > BRANCH {
-            let why = NotConverged::Branch(margin);
-            return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
-        }
+    let held = last.on_active_supports(model);
+    let beyond = last.compression / (1.0 - BRANCH);
+    if end == PathEnd::NotConverged && is_stable_bonded(&held, &last.contact, beyond, cancel) {
+        let margin = 1.0 - last.compression / bonded_buckling_load(&held, &last.contact, cancel);
+        let why = NotConverged::Branch(margin);
+        return Err(Error::NotConverged(Stopped { method: Method::Exact, iterations: 0, why }));
     }
     let Some(state) = wanted else {
         return Ok(known(Verdict::Buckles(buckling(model, last, end, cancel))));
