@@ -60,9 +60,8 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         }
         // The last step is up to 0.1 % longer, so that no further step of the size of rounding error follows.
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
-        let taken = doublings - next;
         let predicted = before.as_ref().and_then(|(stiffer, edges)| {
-            let part = taken / (stiffer - doublings);
+            let part = (doublings - next) / (stiffer - doublings);
             secant(edges, &contact, part, model.beam.length)
         });
         let softer = softened(next);
@@ -76,9 +75,9 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
                 step = longest.min(2.0 * step);
             }
             None if cancel.is_cancelled() => return Err(edges_not_converged(0, f64::NAN)),
-            None if taken > SEARCHED_STEP => step = 0.5 * taken,
+            None if step > SEARCHED_STEP => step *= 0.5,
             None => {
-                let is_shortest = taken <= SHORTEST_STEP;
+                let is_shortest = step <= SHORTEST_STEP;
                 let limit = if is_shortest { MOST_STEPS } else { FEW_STEPS };
                 match edges(bonded, Start::of(found.clone()), limit, &mut |_| 0.0) {
                     Ok(corrected) => {
@@ -86,7 +85,7 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
                         (contact, doublings, before, step) = (asked(&found), next, None, longest);
                     }
                     Err(stalled) if is_shortest => return Err(stalled),
-                    Err(_) => step = 0.5 * taken,
+                    Err(_) => step *= 0.5,
                 }
             }
         }
