@@ -18,7 +18,7 @@ pub(crate) struct Arc<C> {
     /// The product z = bh.
     z: C,
     length: C,
-    /// The denominators exp(−2z) − 1 and exp(−z) + 1 in the formula of the ground displacement u, where z = bh.
+    /// Factors exp(−2z) − 1 and exp(−z) + 1 of the denominators sinh z = −½eᶻ(e⁻²ᶻ − 1) and cosh(z/2) = ½e^(z/2)(e⁻ᶻ + 1).
     divisors: [C; 2],
 }
 

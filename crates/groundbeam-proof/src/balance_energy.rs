@@ -55,6 +55,7 @@ impl<S: Scalar> Balance<'_, S> {
 
     fn ground_at_nodes(&self, balanced: &Balanced<S>, missed: Size) -> Size {
         let of = |node: usize| {
+            // The concentrated force is zero at nodes out of contact.
             let force = Size::of(self.surface.nodes[node].force.size());
             if force.value() == 0.0 {
                 return Size::ZERO;

@@ -88,8 +88,9 @@ impl Scalar for Ball {
         if !(least > 0.0) {
             return Ball::ALL;
         }
-        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b. `size` exceeds the residual by at
-        // least 12 units of rounding, which covers the rounding errors of the last line.
+        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b. `size` is at least (1 + 12u) times
+        // the residual with u = 2⁻⁵³, which covers the rounding errors of the last line. The smallest normal number
+        // covers underflow of the quotient.
         let q = self.m / other.m;
         let rest = self - Ball::new(q, 0.0) * other;
         Ball::new(q, rest.size() / least + f64::MIN_POSITIVE)
@@ -102,8 +103,9 @@ impl Scalar for Ball {
         if !(self.low() >= 0.0) {
             return Ball::ALL;
         }
-        // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0. `size` exceeds the
-        // residual by at least 12 units of rounding, and the residual of at least εq² keeps the quotient from underflow.
+        // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0. `size` is at least
+        // (1 + 12u) times the residual with u = 2⁻⁵³. The radius of the residual is at least εq², so the quotient does
+        // not underflow.
         let q = self.m.sqrt();
         let root = Ball::new(q, 0.0);
         let rest = self - root * root;

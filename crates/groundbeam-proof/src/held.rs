@@ -29,8 +29,8 @@ pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reactio
     support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
 }
 
-/// Assigns the supports to nodes, and reads the stored reactions of the rigid supports. Inactive supports have no
-/// node.
+/// Assigns the supports to nodes, and reads the claimed reactions of the rigid supports. Inactive supports have a node
+/// only if the positions of the nodes include them.
 pub(crate) fn supports<S: Scalar>(
     model: &Model<S>,
     reactions: &[Option<Reaction>],

@@ -136,7 +136,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
 /// Upper bound of Σ size(cⱼ)τʲ. The sum is increased once at the end, to cover its rounding errors and underflows.
 fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64 {
     let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + size(*c));
-    // The sum may be zero by underflow only.
+    // A sum of nonzero terms may underflow to zero. It counts as zero only if all coefficients are zero.
     let is_zero = sum == 0.0 && coefficients.iter().all(|c| size(*c) == 0.0);
     if is_zero { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
 }

@@ -146,8 +146,9 @@ impl Scalar for Wide {
             return Wide::ALL;
         }
         // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the error is at most a bound of
-        // the residual a − qb, divided by a lower bound of |b|. `size` exceeds the residual by at least 12 units of
-        // rounding, which covers the rounding error of this division.
+        // the residual a − qb, divided by a lower bound of |b|. `size` is at least (1 + 12u) times the residual with
+        // u = 2⁻⁵³, which covers the rounding errors of the last line. The smallest normal number covers underflow of
+        // the quotient.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);
@@ -164,7 +165,7 @@ impl Scalar for Wide {
             return Wide::ALL;
         }
         // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0. The
-        // residual contains a multiple of q², so the quotient of the last line does not underflow.
+        // radius of the residual contains a multiple of q², so the quotient of the last line does not underflow.
         let first = self.h.sqrt();
         let rest = self.centre() - Wide::of(first).square();
         let (h, l) = fast_two_sum(first, rest.h / (2.0 * first));

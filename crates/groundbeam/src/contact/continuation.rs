@@ -2,12 +2,13 @@
 //!
 //! Phase A of the solver finds contact zones from ground forces at nodes, and phase B finds the exact contact
 //! edges by Newton's method. On a long soft beam, phase B needs a better initial guess than phase A gives. The beam is
-//! therefore stiffened until at most a few waves fit between two nodes that loads and supports require; the
-//! length of a wave is 1/wave number. Phase A finds the contact of this stiff beam, and phase B its edges. The
+//! therefore stiffened until at most a few waves fit between adjacent nodes of the model, such as loads and supports;
+//! the length of a wave is 1/wave number. Phase A finds the contact of this stiff beam, and phase B its edges. The
 //! stiffness is then reduced in steps to the stiffness of the model. Each step predicts the edges by the secant
 //! of the two preceding beams and corrects them by Newton's method without a line search. A step that does not
 //! converge is halved. If a very short step does not converge, Newton's method with a line search solves the beam, and
-//! the steps start again with the longest one.
+//! the steps start again with the longest one. If the line search fails too, the step is halved down to the shortest
+//! step.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;

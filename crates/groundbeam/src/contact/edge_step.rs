@@ -34,8 +34,8 @@ impl OpenSpan {
 }
 
 /// Moves every edge of the given contact zones by a Newton step, and returns the new contact intervals. The
-/// ends of the zones must be nodes of the mesh. Returns `None` in each of these cases: a part of the ground has
-/// no shear layer, a concentrated contact force (at a point contact or, for example, at an end of the beam) is
+/// ends of the zones must be nodes of the mesh. Returns `None` in each of these cases: there is no zone, a part of
+/// the ground has no shear layer, a concentrated contact force (at a point contact or, for example, at an end of the beam) is
 /// tensile, or a step is too long.
 pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);

@@ -1,10 +1,12 @@
 //! Phase B of the contact iteration: finds the contact edges by Newton's method.
 //!
 //! Each step solves the beam bonded to the ground on a trial contact set Z, and computes the contact set of the
-//! resulting deflection. Near the solution, a [Newton step of the edges](super::edge_step) computes it,
-//! otherwise the obstacle problem does. The change of the contact is the length of the longest interval in the
-//! symmetric difference of Z and this contact set. A step whose change is at most half of the smallest change
-//! so far is a full step. Every other step is shortened by a line search, so that the energy Φ decreases.
+//! resulting deflection. Near the solution, [edge Newton](super::edge_step) computes this contact set: one Newton
+//! step for a zero concentrated force at each edge, under the given deflection. Otherwise the obstacle problem
+//! determines it. The move of the contact is the length of the longest interval in the symmetric difference of Z and
+//! this contact set. A step is a full step if its move is at most half of the smallest move so far, or below
+//! [`BLIND`]. Every other step, and every step with stabilising springs, is shortened by a line search, so that the
+//! energy Φ decreases.
 //!
 //! The stopping criterion uses the edges, not the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the
 //! energy, so the energy cannot show whether the zone is in contact.
@@ -33,8 +35,7 @@ pub(crate) struct Start {
     pub contact: Vec<Interval>,
     /// The deflection whose contact set is `contact`, if known.
     pub now: Option<ContactState>,
-    /// Whether the first step may compute the next contact set by a Newton step of the edges instead of the
-    /// obstacle problem.
+    /// Whether the first step may compute the next contact set by edge Newton instead of the obstacle problem.
     pub near: bool,
 }
 
@@ -217,8 +218,8 @@ impl Search<'_, '_> {
         let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
-        // Changes as small as rounding error fluctuate. Such a change counts as progress only if it is at most
-        // half of the smallest change so far.
+        // A move counts as progress if it is at most half of the last move. Moves as small as rounding error
+        // fluctuate, so such a move must be at most half of the smallest move so far.
         let goal = if self.moved > JITTER { self.last } else { self.least };
         let is_progress = self.moved.is_finite() && self.moved <= 0.5 * goal;
         self.stale = if is_progress { 0 } else { self.stale + 1 };

@@ -10,12 +10,13 @@ pub(crate) const CONVERGED_MOVE: f64 = 1e-15;
 
 /// Largest move of a contact edge in one step that may be only rounding error. The iteration has converged if no edge
 /// moves farther than this in a step, and the largest move in the preceding step was at most four times the largest
-/// move in this step. If a step of Newton's method for the edges moves no edge farther than this, the contact set is
-/// computed from the obstacle problem instead.
+/// move in this step. If edge Newton moves no edge farther than this, the contact set is computed from the obstacle
+/// problem instead.
 pub(crate) const ROUNDING_MOVE: f64 = 1e-12;
 
-/// Largest move of a contact edge in one step that counts as rounding error, if [`STALE_STEPS`] consecutive steps have
-/// not halved the smallest move so far. Model 774 of the random family Hard needs this criterion.
+/// Largest move of a contact edge in one step that counts as rounding error, if [`STALE_STEPS`] consecutive steps made
+/// no progress. Progress halves the last move, or below this limit the smallest move so far. Model 774 of the random
+/// family Hard needs this criterion.
 pub(crate) const JITTER: f64 = 1e-7;
 
 /// Distance between beam and ground, in units in the last place of the deflection, below which rounding error decides
@@ -37,12 +38,12 @@ pub(crate) const SAME: f64 = 1e-9;
 /// contact edges.
 pub(crate) const STALE_STEPS: usize = 4;
 
-/// The next step may use Newton's method for the edge positions if the last step moved no contact edge by more than
-/// this fraction of the beam's length.
+/// Largest move of the contact edges after which the next step may use edge Newton. This move must also be the smallest
+/// so far, and the step must have no stabilising springs.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// Largest change of the position of a contact edge in one step of Newton's method for the edge positions, relative to
-/// the length of the contact zone and to the length of the adjacent ground out of contact.
+/// Largest move of a contact edge in one step of edge Newton, relative to the length of the contact zone and to the
+/// length of the adjacent ground out of contact.
 pub(crate) const NEAR_EDGE: f64 = 0.25;
 
 /// Limit on the number of steps of a contact iteration. The first `always` steps are always allowed. Further steps,
@@ -60,15 +61,15 @@ impl StepLimit {
     }
 }
 
-/// Limit on the Newton steps of a contact iteration that is part of the continuation in the beam's stiffness, or that
-/// starts from the result of this continuation. A short gap between two contact zones closes slowly under the line
+/// Limit on the Newton steps of a contact iteration at the shortest step of the continuation in the beam's stiffness,
+/// and of the iteration that starts from the result of this continuation. A short gap between two contact zones closes slowly under the line
 /// search. The random models Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839
 /// the number of steps times the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300
 /// steps take a minute and do not converge.
 pub(crate) const MOST_STEPS: StepLimit = StepLimit { always: 60, most: 400, work: 100_000 };
 
 /// Limit on the Newton steps of a contact iteration that starts from the initial guess or from the contact of a
-/// neighbouring model. On the random models of the family Hard, a limit of 8 steps needs 7 % more solutions of the
+/// neighbouring model, and of the line search in the continuation above its shortest step. On the random models of the family Hard, a limit of 8 steps needs 7 % more solutions of the
 /// obstacle problem, and a limit of 32 steps needs 3 % fewer.
 pub(crate) const FEW_STEPS: StepLimit = StepLimit { always: 16, most: 16, work: 0 };
 
@@ -112,12 +113,15 @@ pub(crate) const SHORT: f64 = 24.0;
 /// Extreme 230.
 pub(crate) const STIFF_WAVES: f64 = 4.0;
 
-/// Longest and shortest step of the continuation in the beam's stiffness, as changes of log₂ of the stiffness. If a step
-/// of at most `SEARCHED_STEP` does not converge, Newton's method with a line search solves the beam. With
-/// `SEARCHED_STEP` = 1e-7, the solver finds no solution of the random model Hard 9773. With `SHORTEST_STEP` = 1e-6, the
-/// solver finds no solution of the random model Extreme 1393.
+/// Longest step of the continuation in the beam's stiffness, as a change of log₂ of the stiffness.
 pub(crate) const LONGEST_STEP: f64 = 2.0;
+
+/// Step of the continuation below which Newton's method with a line search solves the beam if the corrector does not
+/// converge. With a value of 1e-7, the solver finds no solution of the random model Hard 9773.
 pub(crate) const SEARCHED_STEP: f64 = 1e-6;
+
+/// Shortest step of the continuation. If the line search fails at this step, the continuation fails. With a value of
+/// 1e-6, the solver finds no solution of the random model Extreme 1393.
 pub(crate) const SHORTEST_STEP: f64 = 1e-7;
 
 /// Maximum number of stiffnesses for which the continuation solves the beam, including solves that do not converge.
