@@ -447,26 +447,3 @@ pub(crate) fn spans<S: Scalar>(
     }
     Ok(spans)
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::given_claim::with_fields;
-    use serde_json::json;
-
-    #[test]
-    fn the_negligible_penetration_follows_the_largest_deflection() {
-        let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";
-        for (middles, largest) in [([0.5, -2.0, 1.0], 2.0), ([3.0, 1.0, 0.0], 3.0), ([0.0; 3], 0.0)]
-        {
-            let piece = |i: usize| {
-                let x = [[0.0, 0.25], [0.25, 0.75], [0.75, 1.0]][i];
-                let half = 0.5 * (x[1] - x[0]);
-                json!({"x": x, "half": half, "touches": true, "deflection": [middles[i], 9]})
-            };
-            with_fields(text, &json!({"pieces": [piece(0), piece(1), piece(2)]}), |fields| {
-                let found = fields.frame.negligible().value();
-                assert!((found - 1e-24 * largest).abs() <= 1e-36, "{middles:?}: {found:e}");
-            });
-        }
-    }
-}
