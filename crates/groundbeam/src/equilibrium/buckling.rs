@@ -15,9 +15,9 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// Distance from the compression that removes the shear stiffness, relative to this compression. If the beam is stable
-/// there, no buckling load is computed.
-const BELOW_FOLDING: f64 = 1e-9;
+/// Distance from the compression that removes the shear stiffness, relative to this compression, at which the search for
+/// a buckling load ends. Closer to it the beam buckles in shorter waves, and a solve needs more elements.
+const BELOW_FOLDING: f64 = 1e-8;
 
 /// Returns the buckling load of the beam of a valid model on its supports, without ground \[N\]. The value is a
 /// lower bound, accurate to twelve digits. It is infinite if the beam does not buckle.
@@ -30,7 +30,8 @@ pub fn own_buckling_load(model: &Model) -> f64 {
 
 /// Buckling load of the beam on its supports, without ground \[N\].
 fn unsupported_buckling_load(model: &Model, cancel: &Cancel) -> f64 {
-    least_unstable(model, |compression| !cancel.is_cancelled() && is_stable(model, compression))
+    let is_stable = |compression| !cancel.is_cancelled() && is_stable(model, compression);
+    least_unstable(model, f64::INFINITY, is_stable)
 }
 
 /// Returns a lower bound of the second variation of the energy, relative to the second variation without
@@ -52,21 +53,16 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
 }
 
 /// Returns the buckling load of the beam bonded to the ground on given intervals \[N\]. The value is a lower bound,
-/// accurate to twelve digits. It is accurate to nine digits if the beam buckles in very short waves, because the
+/// accurate to twelve digits. It is accurate to eight digits if the beam buckles in very short waves, because the
 /// compression removes its shear stiffness.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
-    if model.beam.shears() {
-        let touch = zone_kind_of(contact);
-        let has_shear_stiffness = |compression: f64| {
-            !folds(&compressed(model, compression), contact.as_flattened(), &touch)
-        };
-        // The shorter the waves, the more elements a solve needs.
-        let nearly = least_unstable(model, has_shear_stiffness) * (1.0 - BELOW_FOLDING);
-        if nearly.is_finite() && is_stable_bonded(model, contact, nearly, cancel) {
-            return nearly;
-        }
-    }
-    least_unstable(model, |compression| is_stable_bonded(model, contact, compression, cancel))
+    let touch = zone_kind_of(contact);
+    let has_shear_stiffness =
+        |compression: f64| !folds(&compressed(model, compression), contact.as_flattened(), &touch);
+    let folding = least_unstable(model, f64::INFINITY, has_shear_stiffness);
+    least_unstable(model, folding, |compression| {
+        is_stable_bonded(model, contact, compression, cancel)
+    })
 }
 
 /// Whether the beam bonded to the ground on given intervals is stable under a compression.
@@ -79,8 +75,9 @@ pub(crate) fn is_stable_bonded(
     Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
 }
 
-/// A lower bound of the compression at which the beam becomes unstable.
-fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
+/// A lower bound of the compression at which the beam becomes unstable. `folding` is the compression that removes the
+/// shear stiffness of the beam.
+fn least_unstable(model: &Model, folding: f64, is_stable: impl Fn(f64) -> bool) -> f64 {
     let l = model.beam.length;
     let unit = model.beam.stiffest() / (l * l);
     let mut low = 0.0;
@@ -92,7 +89,8 @@ fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
             return f64::INFINITY;
         }
     }
-    while high - low > 1e-13 * high {
+    let nearly = folding * (1.0 - BELOW_FOLDING);
+    while high - low > 1e-13 * high && low < nearly {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
             break;
