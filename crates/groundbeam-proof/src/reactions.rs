@@ -135,9 +135,9 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// The contribution of one side of a rigid support to the energy K² of a test function z. It is the smaller of two
     /// bounds. In the first bound, z decreases from 1 to 0 before the next rigid support. The second bound applies only
-    /// if no rigid support lies on this side. Then z = 1 up to the end of the beam at the distance L, and K² = kL + K_e
-    /// + Σκ. K_e is the stiffness of the ground beyond this end, and κ are the stiffnesses of the translational springs
-    /// on this side.
+    /// if no rigid support lies on this side. Then z = 1 up to the end of the beam at the distance L, and K² is the sum
+    /// of kL, of the stiffness of the ground beyond this end, and of the stiffnesses of the translational springs on
+    /// this side.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], available, [springs, turning]) = self.beside(node, next);
