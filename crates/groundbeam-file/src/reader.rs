@@ -103,8 +103,8 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
-    /// Reports an unknown word. In `message`, `{}` stands for this word. The hint names a similar known word. If there
-    /// is none, the hint is `otherwise`, in which `{}` stands for the list of all known words.
+    /// Reports an unknown word. In `message`, `{}` stands for this word. The hint names a similar known word. If no
+    /// known word is similar, the hint is `otherwise`, in which `{}` stands for the list of all known words.
     pub fn unknown_word(
         &mut self,
         (written, span): (&str, Range<usize>),

@@ -312,7 +312,8 @@ impl<C: Scalar> OpenPiece<C> {
             let here = Size::below_zero(value.low());
             let depth = here + lost;
             // The bound `depth` of the penetration is accepted if it is at most `deepest`, negligible, or below the
-            // rounding error of the clearance C̄. It is also accepted if halving the interval would hardly reduce it.
+            // rounding error of the clearance C̄. If halving the interval would reduce `depth` by little, `depth` is
+            // accepted too.
             let found = depth <= deepest || depth <= negligible || depth <= rounding;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);

@@ -290,8 +290,8 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // Accept `depth` as the bound of the negative part on this interval if halving the interval would hardly lower
-        // it, if it is below the rounding error, or if it is negligible.
+        // Accept `depth` as the bound of the negative part on this interval if `depth` is negligible or below the
+        // rounding error, or if halving the interval would reduce `depth` by little.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;

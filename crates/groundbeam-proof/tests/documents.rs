@@ -181,8 +181,8 @@ fn the_pressure_of_a_layer_has_no_bound_without_a_contact_set() {
     assert_eq!(found.proof.bounds.pressure.error, f64::INFINITY);
 }
 
-/// On springs p = kw has the bound kε of the deflection, also if the contact set is not proven. Where a part of the ground
-/// is a layer, there is none.
+/// On Winkler ground the pressure p = kw has the error bound kε with the bound ε of the deflection, even if the contact
+/// set is not proven. If a part of the ground has a shear layer, the pressure has no bound.
 #[test]
 fn the_pressure_of_springs_has_a_bound_without_a_contact_set() {
     let springs = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = 1\n";

@@ -32,8 +32,8 @@ struct OfState<G, E> {
 
 impl<G, E> Enveloped<G, E> {
     /// Computes the envelopes. `of(Some(state))` returns the envelope and the extremes over the results of
-    /// this limit state, and `of(None)` returns those over all results. `of` returns `None` if none of these
-    /// results contains a solution.
+    /// this limit state. `of(None)` returns the envelope and the extremes over all results. Without a solution
+    /// among these results, `of` returns `None`.
     pub fn new(
         states: LimitStates,
         of: impl Fn(Option<LimitState>) -> Option<(Along<Lines<G>>, ByName<E>)>,

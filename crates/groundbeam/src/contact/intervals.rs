@@ -41,8 +41,8 @@ pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
     joined
 }
 
-/// Returns the position in `places` that equals x up to rounding error; if there is none, returns x. The rounding
-/// error is proportional to the beam length l.
+/// Returns the position in `places` that equals x up to rounding error. If no position equals x, returns x. The
+/// rounding error is proportional to the beam length l.
 pub(crate) fn snapped(x: f64, places: &[f64], l: f64) -> f64 {
     let near = same_place(l);
     let next = places.partition_point(|place| *place < x - near);

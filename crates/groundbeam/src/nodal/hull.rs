@@ -101,8 +101,8 @@ impl Hull<'_> {
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // If bonded ground presses on all nodes of the block or on none of them, just as on the node before
-                // the block, no row of pressed nodes begins or ends in the block.
+                // A row of pressed nodes begins or ends in the block, unless all nodes of the block are like the node
+                // before the block: all pressed by bonded ground, or all not pressed.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {

@@ -5,8 +5,8 @@ use crate::model::Model;
 
 /// Number of elements per length 1/λ on the coarsest grid, with the largest wave number λ of the beam.
 const COARSEST: f64 = 1.5;
-/// Ratio of the element counts of successive grids, used if even the finest grid has hardly enough or too few
-/// elements to resolve the waves of the deflection.
+/// Ratio of the element counts of successive grids. It applies if the finest grid barely resolves the waves of the
+/// deflection, or does not resolve them.
 const STEP: f64 = 4.0;
 /// Minimum number of elements of a coarse grid whose element count follows from the ratio `STEP`.
 const FEWEST: f64 = 20.0;
