@@ -23,8 +23,8 @@ const MOST_SERIES: usize = 30_000;
 
 /// Upper bounds of the memory \[bytes\]: per element of the exact method, per mesh cell of the other methods,
 /// and per node of a solution that is computed at nodes only. The largest values measured in
-/// `verification/tests/memory.rs` and `bench/` are 10,320, 3500 and 53.
-const EXACT: usize = 10_800;
+/// `verification/tests/memory.rs` and `bench/` are 10,800, 3500 and 53. Peaks of one solve differ by 1 %.
+const EXACT: usize = 12_000;
 const MESH: usize = 4_200;
 const NODE: usize = 100;
 
