@@ -254,11 +254,18 @@ impl<'a> Bonded<'a> {
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
         let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
-        let mut before = before.into_iter().peekable();
+        let mut before = before.into_iter();
         for cell in &mesh.cells {
             let (x, touch) = (cell.x, touch(cell));
-            while before.next_if(|known| known.x[0] < x[0]).is_some() {}
-            let known = before.next_if(|known| known.x == x && known.touch == touch);
+            while before.as_slice().first().is_some_and(|known| known.x[0] < x[0]) {
+                before.next();
+            }
+            let next = before.as_slice().first();
+            let known = if next.is_some_and(|known| known.x == x && known.touch == touch) {
+                before.next()
+            } else {
+                None
+            };
             self.known.push(known.unwrap_or_else(|| {
                 let exact = ExactElement::new(&Operator::of(cell, axial, touch), cell.length());
                 Known { x, touch, exact }

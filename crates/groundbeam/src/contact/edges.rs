@@ -25,7 +25,7 @@ use crate::contact::stopping::{
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
-use crate::mesh::mesh::Mesh;
+use crate::mesh::mesh::required_positions;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 use std::rc::Rc;
@@ -60,7 +60,7 @@ pub(crate) fn edges(
     limit: StepLimit,
     judge: &mut dyn FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
-    let places = Mesh::build(bonded.model, &[], |_| 1).nodes.iter().map(|node| node.x).collect();
+    let places = required_positions(bonded.model, &[]);
     let mut search = Search {
         bonded,
         judge,

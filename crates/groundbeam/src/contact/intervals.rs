@@ -97,6 +97,9 @@ pub(crate) fn zones_of(
 /// * One set has a zone and a separate point contact in this zone, and the other set has only the zone. Such a
 ///   point contact is the end of a shear layer beside Winkler ground.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
+    if a == b {
+        return 0.0;
+    }
     let lengths = differences(&[a, b]).into_iter().map(|[from, to]| to - from);
     let longest = lengths.fold(0.0, f64::max);
     let points = |of: &[Interval], other: &[Interval]| {

@@ -17,7 +17,7 @@ use crate::contact::obstacle;
 use crate::contact::state::ContactState;
 use crate::element::element::MOST_COMPRESSION;
 use crate::equilibrium::one_way;
-use crate::mesh::mesh::Mesh;
+use crate::mesh::mesh::required_positions;
 use crate::model::Model;
 use crate::model::compressed;
 use crate::solution::candidate::{Candidate, Workspace};
@@ -89,7 +89,7 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
     let most = MOST_COMPRESSION * model.beam.stiffest() / (l * l);
-    let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
+    let places = required_positions(model, &[]);
     let mut found = None;
     let mut last = PathPoint { contact: joined(begin.contact, l), ..begin };
     // The last two equilibria before `last`, the older one first.

@@ -10,6 +10,7 @@
 //! stiffnesses are sums, products and quotients of positive numbers, so no digits cancel.
 
 use crate::model::GroundOutside;
+use crate::model::outside::OutsideLayer;
 use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
 use crate::numeric::polynomial::{Coefficients, jet, value};
 use crate::numeric::real::Real;
@@ -159,24 +160,33 @@ impl<R: Real> Pair<R> {
 /// Returns the stiffness of the ground outside one end of the beam, condensed to this end. It is √(kμ) if the
 /// ground is uniform and infinite.
 pub(crate) fn outside<R: Real>(beyond: &GroundOutside<R>) -> R {
-    stiffnesses(beyond)[0]
+    beyond.layers.iter().rev().fold(outermost(beyond), condensed)
 }
 
 /// Returns, for each layer outside the beam, the condensed stiffness of this layer and all layers beyond it.
 /// The last entry is the stiffness at the outer end of the ground.
 fn stiffnesses<R: Real>(beyond: &GroundOutside<R>) -> Vec<R> {
-    let mut springs = vec![R::from(if beyond.held { f64::INFINITY } else { 0.0 })];
+    let mut springs = vec![outermost(beyond)];
     for layer in beyond.layers.iter().rev() {
-        let behind = springs[springs.len() - 1];
-        springs.push(if layer.length == f64::INFINITY {
-            (layer.subgrade * layer.shear_layer).sqrt()
-        } else {
-            let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
-            link.shunt_left + link.series * (R::ONE - follows(&link, behind))
-        });
+        springs.push(condensed(springs[springs.len() - 1], layer));
     }
     springs.reverse();
     springs
+}
+
+/// Returns the stiffness at the outer end of the ground: infinite if the ground is fixed there, zero otherwise.
+fn outermost<R: Real>(beyond: &GroundOutside<R>) -> R {
+    R::from(if beyond.held { f64::INFINITY } else { 0.0 })
+}
+
+/// Returns the condensed stiffness of a layer and all layers beyond it. `behind` is the condensed stiffness of the
+/// layers beyond it.
+fn condensed<R: Real>(behind: R, layer: &OutsideLayer<R>) -> R {
+    if layer.length == f64::INFINITY {
+        return (layer.subgrade * layer.shear_layer).sqrt();
+    }
+    let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
+    link.shunt_left + link.series * (R::ONE - follows(&link, behind))
 }
 
 /// Returns u at the right end of a two-port if u = 1 at its left end and a spring is under its right end.
@@ -258,7 +268,6 @@ fn sinh_ratio<R: Real>(z: R, r: f64) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::outside::OutsideLayer;
     use crate::numeric::elementary::cosh;
 
     #[test]

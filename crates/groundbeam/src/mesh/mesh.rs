@@ -83,7 +83,7 @@ impl Mesh {
     /// cell. The second argument of `each` is the number of parts that the free-field settlement needs in the
     /// interval that contains the cell. Returns the number of intervals.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
-        let coarse = cells_between(model, &positions(model, &[]));
+        let coarse = cells_between(model, &required_positions(model, &[]));
         let axial = model.beam.axial_force;
         for cell in &coarse {
             let settles = pieces_of_settled(cell);
@@ -95,7 +95,7 @@ impl Mesh {
     /// Builds a mesh. Each interval between the required nodes and the positions `more` is divided at the positions
     /// that `cut` appends.
     fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
-        let coarse = cells_between(model, &positions(model, more));
+        let coarse = cells_between(model, &required_positions(model, more));
         let mut x = Vec::with_capacity(2 * coarse.len());
         x.push(0.0);
         for cell in &coarse {
@@ -210,7 +210,7 @@ fn pieces_of_settled(cell: &Cell) -> usize {
 }
 
 /// Returns the sorted positions of all required nodes and of `more`, without duplicates.
-fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
+pub(crate) fn required_positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let l = model.beam.length;
     let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
         + 2 * model.loads.len()
