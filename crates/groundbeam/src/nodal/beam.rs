@@ -162,7 +162,7 @@ impl Beam {
 }
 
 /// Distributed loads and imposed curvature along a stretch, linear between its two ends.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Given {
     /// Distributed force f, distributed moment g and imposed curvature κ₀, each at both ends.
     pub load: [f64; 2],

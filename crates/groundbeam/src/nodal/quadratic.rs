@@ -35,9 +35,10 @@ impl<const N: usize> Quadratic<N> {
                 if k[a][b] == 0.0 {
                     continue;
                 }
-                for i in 0..N {
-                    for j in 0..N {
-                        self.h[i][j] += rows[a][i] * (k[a][b] * rows[b][j]);
+                let own = rows[b].map(|by| k[a][b] * by);
+                for (h, by) in self.h.iter_mut().zip(&rows[a]).filter(|(_, by)| **by != 0.0) {
+                    for (h, own) in h.iter_mut().zip(&own) {
+                        *h += by * own;
                     }
                 }
             }

@@ -6,7 +6,7 @@
 //! includes the rotation jump of a hinge. The unknowns d₁ and t are eliminated. Back-substitution computes d₁ and t
 //! from the other four unknowns, so a long span does not amplify rounding errors.
 
-use super::beam::{Beam, NODAL_TERMS};
+use super::beam::{Beam, Given, NODAL_TERMS};
 use super::grid::Grid;
 use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
@@ -109,6 +109,8 @@ impl Span {
         let count = to - from;
         let wanted = own.pieces(grid.axial_force, own.h * count as f64).min(count);
         let at = |i: usize| count * i / wanted;
+        // Pieces of equal length under equal loads have the same closed form.
+        let mut last: Option<(f64, Given, Beam)> = None;
         for i in 0..wanted {
             let (a, b) = if self.mirrored {
                 (to - at(i + 1), to - at(i))
@@ -118,7 +120,11 @@ impl Span {
             let part = own.part(a, b);
             let given = if self.mirrored { part.mirrored() } else { part };
             let length = own.h * (b - a) as f64;
-            let beam = Beam::new(own.cell.stiffness, &given, grid.axial_force, length);
+            let beam = match last {
+                Some((own, loads, beam)) if own == length && loads == given => beam,
+                _ => Beam::new(own.cell.stiffness, &given, grid.axial_force, length),
+            };
+            last = Some((length, given, beam));
             self.add(beam.element(), Some(beam), [a, b], stand)?;
         }
         Ok(())
