@@ -46,6 +46,13 @@ fn a_mechanism_on_its_trial_contact_is_restrained() {
 }
 
 #[test]
+fn small_deformations_of_a_beam_that_translates_far_keep_their_digits() {
+    for (family, number) in [(Family::Settled, 5867), (Family::Extreme, 1502)] {
+        solved(family, number);
+    }
+}
+
+#[test]
 fn edges_that_move_by_rounding_errors_are_accepted() {
     solved(Family::Hard, 774);
 }

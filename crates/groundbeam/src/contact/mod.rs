@@ -2,6 +2,7 @@
 
 pub(crate) mod bonded;
 pub(crate) mod continuation;
+mod datum;
 mod descent;
 pub(crate) mod edge_error;
 pub(crate) mod edge_step;
