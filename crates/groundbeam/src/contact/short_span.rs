@@ -61,15 +61,16 @@ impl<R: Real> SpanPart<R> {
         let stiffness = (cell.subgrade * cell.shear_layer).sqrt();
         let mut part = SpanPart { cell: i, from, to, half, length, stiffness, varying: None };
         if cell.ground_varies() && to > from {
-            let own = cell.part([from, to]);
-            if !own.is_smooth() || !own.is_short_for_open_ground(half) {
+            let ground = cell.ground().part([from, to]);
+            if !ground.is_smooth() || !ground.is_short(half) {
                 return None;
             }
-            let shear = own.shear_layer_along();
-            let pair = Pair::new(&own.subgrade_along(), &shear, half);
+            let shear = ground.shear_layer;
+            let pair = Pair::new(&ground.subgrade, &shear, half);
             part.varying = Some(Box::new(VaryingGround {
                 link: pair.link(&shear, half),
-                surfaces: [[R::ONE, R::ZERO], [R::ZERO, R::ONE]].map(|ends| pair.between(ends)),
+                surfaces: [[R::ONE, R::ZERO], [R::ZERO, R::ONE]]
+                    .map(|ends| pair.between(ends).without_zeros()),
             }));
         }
         Some(part)

@@ -79,6 +79,9 @@ impl<R: Real> TwoPort<R> {
 /// is at most two decay lengths long, the first omitted term is about 1/20! of the first term.
 const SURFACE_TERMS: usize = 20;
 
+/// A coefficient of these power series is neglected if its magnitude is below this fraction of the first coefficient.
+const NEGLIGIBLE: f64 = 1e-20;
+
 /// Returns the power series coefficients of the ground displacement u on a short stretch with varying k and μ, from the
 /// values `ends` of u at both ends. The coordinate s of the series is −1 and 1 at the ends.
 pub(crate) fn settled<R: Real>(
@@ -99,10 +102,16 @@ pub(crate) struct Pair<R> {
 
 impl<R: Real> Pair<R> {
     pub fn new(spring: &[R], shear: &[R], half: f64) -> Self {
+        let reach = spring.len().max(shear.len());
         let solution = |first: [R; 2]| {
             let mut c = [R::ZERO; SURFACE_TERMS];
             c[..2].copy_from_slice(&first);
             for j in 0..SURFACE_TERMS - 2 {
+                // If all coefficients in the recurrence are negligible, the remaining coefficients are negligible too.
+                let used = &c[(j + 1).saturating_sub(reach)..j + 2];
+                if used.iter().all(|c| c.value().abs() < NEGLIGIBLE) {
+                    break;
+                }
                 // The coefficient of s^(j+2) in u follows from the coefficient of sʲ in the equation
                 // (μu')' = a² k u. The derivatives are with respect to s, and a is half the length.
                 let push: R = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| *k * *c).sum();

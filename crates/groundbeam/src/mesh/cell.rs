@@ -1,6 +1,7 @@
 //! A cell: a part of beam and ground within which all given quantities are polynomials.
 
 use crate::ground::link::{between, settled, slope_between};
+use crate::mesh::varying::GroundStretch;
 use crate::model::{CellPolynomial, Foundation, Profile};
 use crate::numeric::dual::Dual;
 use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
@@ -59,7 +60,7 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 
 /// Radius of a circle around a cell's middle, in half lengths, inside which EI, S + N, k and μ must have no complex
 /// zero. The series of their reciprocals then converge like the powers of 1/`ZERO_FREE_RADIUS`.
-const ZERO_FREE_RADIUS: f64 = 10.0;
+pub(super) const ZERO_FREE_RADIUS: f64 = 10.0;
 
 impl<R: Real> Cell<R> {
     /// Returns the coefficients of w − g₀ from those of the deflection w, with the initial gap g₀. In contact, w − g₀
@@ -174,6 +175,11 @@ impl<R: Real> Cell<R> {
         with_first(self.stiffness, &self.varies.stiffness)
     }
 
+    /// k and μ along the cell.
+    pub fn ground(&self) -> GroundStretch<R> {
+        GroundStretch { subgrade: self.subgrade_along(), shear_layer: self.shear_layer_along() }
+    }
+
     /// Coefficients of the subgrade modulus k as a polynomial of s ∈ \[−1, 1\] in the cell.
     pub fn subgrade_along(&self) -> [R; GROUND] {
         with_first(self.subgrade, &self.varies.subgrade)
@@ -210,9 +216,7 @@ impl<R: Real> Cell<R> {
     pub fn is_smooth(&self) -> bool {
         let is_free = |c: &[R]| is_free_of_zeros(&values(c), ZERO_FREE_RADIUS);
         (!self.beam_varies() || is_free(&self.stiffness_along()))
-            && (!self.ground_varies()
-                || (is_free(&self.subgrade_along())
-                    && (self.shear_layer.value() == 0.0 || is_free(&self.shear_layer_along()))))
+            && (!self.ground_varies() || self.ground().is_smooth())
     }
 
     /// Whether the sum of the shear stiffness S and the axial force N varies little enough for short power
@@ -229,14 +233,7 @@ impl<R: Real> Cell<R> {
     /// Whether one short power series represents the surface of ground without contact on a length of 2·`half` in the
     /// cell.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
-        if !self.ground_varies() || self.shear_layer.value() == 0.0 {
-            return true;
-        }
-        let squared = [-1.0, 0.0, 1.0].map(|s| {
-            let [k, mu] = self.ground_at(s);
-            (k / mu).value() * half * half
-        });
-        squared.into_iter().fold(0.0, f64::max) <= 1.0
+        !self.ground_varies() || self.ground().is_short(half)
     }
 
     /// The part of the cell between two values of s.
@@ -383,7 +380,7 @@ impl Cell {
 }
 
 /// Returns the values of dual numbers, without their derivatives.
-fn values<R: Real>(c: &[R]) -> Coefficients {
+pub(super) fn values<R: Real>(c: &[R]) -> Coefficients {
     c.iter().map(|c| c.value()).collect()
 }
 

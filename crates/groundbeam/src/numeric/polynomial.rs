@@ -40,6 +40,12 @@ impl<R: Real> Coefficients<R> {
         self
     }
 
+    /// Returns the same polynomial without the zero coefficients of its highest powers.
+    pub fn without_zeros(mut self) -> Self {
+        self.count = self.iter().rposition(|c| *c != R::ZERO).map_or(0, |last| last + 1);
+        self
+    }
+
     /// Removes and returns the coefficient of the highest power.
     pub fn pop(&mut self) -> Option<R> {
         self.count = self.count.checked_sub(1)?;
@@ -168,6 +174,12 @@ pub(crate) fn divided(c: &[f64], r: f64) -> Coefficients {
 /// Coefficients of the polynomial f(middle + half·t) in t ∈ \[−1, 1\].
 pub(crate) fn rescale<R: Real>(c: &[R], middle: f64, half: f64) -> Coefficients<R> {
     let mut c = Coefficients::from(c);
+    rescale_in_place(&mut c, middle, half);
+    c
+}
+
+/// Replaces the coefficients of a polynomial as [`rescale`] does.
+pub(crate) fn rescale_in_place<R: Real>(c: &mut [R], middle: f64, half: f64) {
     // Repeated synthetic division by (s − middle) gives the coefficients about `middle`. Powers of `half` then
     // scale them.
     for first in 0..c.len() {
@@ -181,7 +193,6 @@ pub(crate) fn rescale<R: Real>(c: &[R], middle: f64, half: f64) -> Coefficients<
         *a *= power;
         power *= half;
     }
-    c
 }
 
 /// Coefficients of the product f·g.
