@@ -147,7 +147,8 @@ def record(title):
     model = Model.from_toml(read(title).to_toml())
     at, l = next(s.at for s in model.supports if s.kind == "fixed"), model.length
     if title == "Extreme 13":
-        # One version of the contact iteration returned gaps of this length at the support.
+        # One version of the contact iteration returned a stretch without contact, of about the length b - a, at the
+        # support.
         a, b = at - 4e-11 * l, at + 4e-11 * l
         solution, bonded = under_support(model, title)
     else:
@@ -196,8 +197,9 @@ def balance(title):
         height = lambda t: value + slope * (t - x) + settled * mp.exp(-b * abs(t - c)) - deflection
         tangent = lambda t: slope - (1 if right else -1) * b * settled * mp.exp(-b * abs(t - c))
         ratio = lambda t: height(t) / (t - c) if t != c else tangent(t)
-        # With the function h(t) = height(t), the derivative of `stationary` is h''(t) (t - c). It does not change its
-        # sign on either side of c, so `stationary` has at most one root on each side.
+        # `stationary` is zero where the derivative of `ratio` is zero. With h(t) = height(t), the derivative of
+        # `stationary` is h''(t) (t - c). The sign of h'' is constant, so `stationary` is monotonic on each side of c and
+        # has at most one root on each side.
         stationary = lambda t: tangent(t) * (t - c) - height(t)
         values = [ratio(near), ratio(far)]
         if near != c and stationary(near) * stationary(far) < 0:

@@ -26,9 +26,9 @@ def weightless_winkler():
         ("M under the force", mp.coth(half) / 4, "moment", 5.0, TIGHT),
         ("slope outside the contact zone", 1 / (4 * mp.sinh(half)), "slope", 0.0, TIGHT),
     ]
-    note = "long weightless beam on tensionless Winkler ground under a force F, with b = (k/(4 EI))^(1/4): "
-    note += "under the force F, w = F b coth(pi/2)/(2 k) and M = F coth(pi/2)/(4 b); "
-    note += "outside the contact zone, the beam has the slope F b^2/(k sinh(pi/2))"
+    note = "long weightless beam on tensionless Winkler ground under a force F, with the wave number b = (k/(4 EI))^(1/4); "
+    note += "under the force F, w = F b coth(pi/2)/(2 k) and M = F coth(pi/2)/(4 b) with the wave number b; "
+    note += "outside the contact zone, the slope of the beam is F b^2/(k sinh(pi/2)) with the wave number b"
     return "weightless-winkler", model, note, checks
 
 
@@ -51,9 +51,10 @@ def weightless_pasternak(mu):
         ("contact from 5 - X", 5 - X, "from", None, TIGHT),
         ("contact to 5 + X", 5 + X, "to", None, TIGHT),
     ]
-    note = f"long weightless beam on tensionless Pasternak ground, with g = mu/(2 sqrt(k EI)) = {mu / 4} and "
-    note += "b = (k/(4 EI))^(1/4); the contact zone extends over X to each side of the force, with "
-    note += "b X = arccos(sqrt g)/sqrt(1-g) for g < 1 and arccosh(sqrt g)/sqrt(g-1) for g > 1; "
+    note = f"long weightless beam on tensionless Pasternak ground, with the ground parameter g = mu/(2 sqrt(k EI)) = {mu / 4}; "
+    note += "with the wave number b = (k/(4 EI))^(1/4), the contact zone extends a distance X to each side of the force; "
+    note += "for a ground parameter g < 1, the wave number b times the distance X is arccos(sqrt g)/sqrt(1-g); "
+    note += "for a ground parameter g > 1, the wave number b times the distance X is arccosh(sqrt g)/sqrt(g-1); "
     note += "M = w sqrt(k EI) under the force"
     return f"weightless-pasternak-{mu / 4}", model, note, checks
 
@@ -83,20 +84,21 @@ def rigid_pasternak(m):
         ("w at the loaded end", phi * (m + lam), "deflection", 1.0, 1e-10),
         ("end force at the loaded end", k * phi * lam * (m + 2 * lam), "right", None, 1e-10),
     ]
-    note = "limiting case of a rigid beam on Pasternak ground, with the contact length m and lam = sqrt(mu/k): "
-    note += "the distance of the force F from the loaded end is m^2 (m + 3 lam)/(3 (m + 2 lam)^2); "
-    note += "the slope of the beam due to the force F is phi = 2 F/(k (m + 2 lam)^2); "
-    note += "at the loaded end, the deflection is w = phi (m + lam) and the concentrated ground force is k phi lam (m + 2 lam)"
+    note = "limiting case of a rigid beam on Pasternak ground, with the contact length m and decay length lam = sqrt(mu/k); "
+    note += "for contact length m and decay length lam, the force F acts m^2 (m + 3 lam)/(3 (m + 2 lam)^2) from the loaded end; "
+    note += "for contact length m and decay length lam, the slope of the beam is phi = 2 F/(k (m + 2 lam)^2); "
+    note += "the deflection of the loaded end is the slope phi times the sum of contact length m and decay length lam; "
+    note += "for slope phi, contact length m and decay length lam, the ground force at the loaded end is k phi lam (m + 2 lam)"
     return f"rigid-pasternak-{mp.nstr(m, 3)}", model, note, checks
 
 
 def rigid_kikuchi(offset):
-    """A rigid beam of length 1 on ground with k = mu = 1, under the force 1 and a moment M0 at its centre. The left end
-    lifts off if M0 > 1/2 - 4/27."""
+    """A rigid beam of length 1 on ground with k = mu = 1, under a unit force and a moment M0, both at its
+    centre. The left end lifts off if M0 > 1/2 - 4/27."""
     moment = float(mpf(1) / 2 - mpf(4) / 27) + offset
     loads = [Load("point", 1.0, 0.5), Load("moment", moment, 0.5)]
     model = Model(1.0, RIGID, 1.0, 1.0, loads=loads)
-    note = "limiting case of a rigid beam of length 1 under the force 1 and a moment M0 at its centre, with k = mu = 1; "
+    note = "limiting case of a rigid beam of length 1 with k = mu = 1, under a unit force and a moment M0, both at its centre; "
     note += "the left end of the beam lifts off at M0 = 1/2 - 4/27 = 0.351851..."
     checks = [("end force 0 at first lift-off", mpf(0), "left", None, 1e-11)] if offset == 0 else []
     return f"rigid-kikuchi{offset:+g}" if offset else "rigid-kikuchi", model, note, checks
@@ -116,7 +118,7 @@ def free_winkler(beta_l):
     ]
     note = "free-free beam on Winkler ground under a force at the centre, with F = 1, EI = 1, k = 4: "
     note += "w = (cosh l + cos l + 2)/(8 (sinh l + sin l)) and M = (cosh l - cos l)/(4 (sinh l + sin l)) under the force, "
-    note += "w = cosh(l/2) cos(l/2)/(2 (sinh l + sin l)) at the ends"
+    note += "for F = 1, EI = 1, k = 4 and the length l, the force F deflects the ends by cosh(l/2) cos(l/2)/(2 (sinh l + sin l))"
     return f"free-winkler-{beta_l:.4g}", model, note, checks
 
 

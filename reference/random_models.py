@@ -23,7 +23,7 @@ def log_uniform(r, a, b):
 
 
 def work(model, at_left, at_right):
-    """Work of the loads on the rigid motion r with r(0) = at_left, r(l) = at_right."""
+    """Work done by the loads in the rigid motion r with r(0) = at_left and r(l) = at_right."""
     l = model.length
     slope = (at_right - at_left) / l
     total = 0.0
@@ -251,10 +251,10 @@ def gap(r, index):
 
 # ---- hard models -------------------------------------------------------------------------------------
 
-# Models with a load at a contact edge. Each row contains l, EI, k, mu, the common position of a unit force and of a
-# moment, this moment, and further loads, the first of which is at the contact edge. The secant method found the moment
-# for which the distance between this load and the edge is at most 1e-16. In the second row only, the moment is 1e-9
-# less than the moment found, and the distance is about 3e-9.
+# Models with a load at a contact edge. Each row contains l, EI, k, mu, the position of a unit force and of a moment,
+# the moment, and further loads. The moment was found by the secant method so that the distance between the first
+# further load and the contact edge is at most 1e-16 m. In the second row only, the moment is smaller by 1e-9 N m, and
+# the distance is about 3e-9 m.
 EDGE_LOADS = [
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),
@@ -345,10 +345,10 @@ FAMILIES = {
 }
 
 NOTES = {
-    ("hard", 26): "a force acts at the contact edge, to within 1e-16",
-    ("hard", 27): "a force acts at a distance of about 3e-9 from the contact edge",
-    ("hard", 28): "Winkler ground; a force acts at the contact edge, to within 1e-16",
-    ("hard", 29): "a moment acts at the contact edge, to within 1e-16",
+    ("hard", 26): "a force acts at most 1e-16 m from the contact edge",
+    ("hard", 27): "a force acts about 3e-9 m from the contact edge",
+    ("hard", 28): "Winkler ground; a force acts at most 1e-16 m from the contact edge",
+    ("hard", 29): "a moment acts at most 1e-16 m from the contact edge",
 }
 
 

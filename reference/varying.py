@@ -276,7 +276,7 @@ class System:
             before = self.pieces[i - 1] if i else None
             after = self.pieces[i] if i < len(self.pieces) else None
             functional = {}
-            # Expresses each component of the state on both sides of x by the unknowns, as a pair (terms, constant).
+            # Expresses each state variable on both sides of x in terms of the unknowns, as a pair (terms, constant).
             for side, p in (("-", before), ("+", after)):
                 if p is None:
                     continue
@@ -523,8 +523,8 @@ def main():
         answer = json.loads(done.stdout)
         stretches = [[c["from"], c["to"]] for c in answer["contact"]]
         places = [float(x) for x in model.places()]
-        # Models with contact points, point contact forces inside the beam, or an edge at a position of the model data
-        # are omitted.
+        # Omits models with contact points, with point contact forces between the beam ends, or with a contact edge at a
+        # load, a support or another position that the model gives.
         inner = [e for s in stretches for e in s if 0 < e < model.length]
         plain = all(a < b for a, b in stretches) and not answer["concentrated_forces"]
         if not stretches or not plain or any(abs(e - x) < 1e-9 for e in inner for x in places):

@@ -1,4 +1,4 @@
-//! Compares the time to compute the gradients of a model with the time to solve the model.
+//! Compares the time for derivatives of results with respect to parameters of a model with the time to solve the model.
 
 use crate::clock::side_by_side;
 use crate::table::{Table, short};

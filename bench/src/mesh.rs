@@ -1,4 +1,4 @@
-//! Measures times, memory and errors of mesh solutions of the long beam (case B), bonded and in contact.
+//! Measures time, memory and error of solving case B on a mesh, for the bonded beam and for the beam that can lift off.
 
 use crate::clock::{peak_memory, side_by_side};
 use crate::models::long_beam;
@@ -112,10 +112,10 @@ pub fn peak(axial_force: f64, n: usize) {
     println!("{}", peak_memory().unwrap_or(f64::NAN));
 }
 
-/// Writes the long beam on a mesh to a file that other programs read. The file lists node positions, nodal forces,
-/// nodal moments, deflections and contact forces, and the deflections of the bonded beam. Deflections and contact forces
-/// are computed in double-double arithmetic. The function prints the number of nodes and the smallest solve times
-/// \[s\], bonded and in contact.
+/// Solves benchmark case B on a mesh of `n` elements, and writes the problem and its solutions to a file that other
+/// programs read. The file lists node positions, nodal forces and nodal moments. It also lists the deflections and
+/// contact forces of the beam that can lift off, and the deflections of the bonded beam, computed in double-double
+/// arithmetic. The function prints the number of nodes and the smallest solve time \[s\] of each of the two beams.
 pub fn problem(n: usize, file: &std::path::Path) {
     let model = long_beam(0.0);
     let mut solver = NodalSolver::new();

@@ -64,8 +64,8 @@ pub fn footings(count: usize) -> Vec<Model> {
     })
 }
 
-/// Returns a rail of `length` metres under wagons with four axles, about one axle every five metres. The rail lifts
-/// off between distant wagons.
+/// Returns a rail of `length` metres under four-axle wagons, with one axle per five metres on average. The rail lifts
+/// off between wagons that are far apart.
 pub fn rail(length: f64, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     // The rail is a UIC60 profile on ballast with a shear layer. Its uniform load is its own weight plus half the

@@ -31,7 +31,7 @@ class Vanished(Rejected):
 
 @dataclass
 class Edge:
-    """An end of a contact interval. A fixed edge lies at a breakpoint of the model."""
+    """A contact edge: one end of a contact interval. A fixed edge stays at a breakpoint of the model."""
 
     x: mpf
     free: bool
@@ -162,7 +162,8 @@ class Node:
 
 
 def evaluate(equation, x, shift=0):
-    """Value of the left side of an equation with the current coefficients of the pieces."""
+    """Evaluates the left side of a boundary, joint or edge condition at the position x, with the current solution on
+    each stretch."""
     terms, constant = equation
     total = mpf(constant) if shift == 0 else mpf(0)
     for piece, name, factor in terms:
@@ -347,7 +348,7 @@ def newton(model, topology, tolerance_digits, limit=60):
             available_left, available_right = edge.x, l - edge.x
             for other in ends:
                 if other is not edge:
-                    # If the neighbouring edge is free too, each edge may move by less than half of their distance.
+                    # Two free edges may each move by less than half the distance between them.
                     share = mpf("0.4") if other.free else mpf("0.9")
                     if other.x < edge.x:
                         available_left = min(available_left, share * (edge.x - other.x))

@@ -118,7 +118,7 @@ class Model:
 
     @staticmethod
     def from_toml(text):
-        """Reads the text of a model file without units and without load cases."""
+        """Reads the text of a model file. The file must not contain units or load cases."""
         doc = tomllib.loads(text)
         beam, ground = doc["beam"], doc["foundation"]
         model = Model(

@@ -198,8 +198,8 @@ def balance_report(system):
     return {
         "energy": energy,
         "force_balance": relative(total["force"] - total["loads"], force),
-        # The axial force P exerts the moment P (w(l) - w(0)). At a free
-        # end the transverse force vanishes, but the shear force may not.
+        # The axial force P exerts the moment P (w(l) - w(0)). At a free end,
+        # the transverse force is zero, but the shear force can be nonzero.
         "moment_balance": relative(total["first"] + axial - total["load first"], force * l),
         "energy_balance": relative(energy - clapeyron, size),
     }

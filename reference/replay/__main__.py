@@ -73,7 +73,7 @@ def main(log, result=None):
         for failed in problem.failed:
             print(f"{name}{failed}")
         for part, size in problem.energies.items():
-            print(f"{name}contribution to the energy bound E: {part}/2 is at most {size.str(3, radius=False)}")
+            print(f"{name}the term {part} of 2E contributes at most {size.str(3, radius=False)} to the energy bound E")
         if problem.failed:
             status = max(status, 1)
             print(f"{name}{len(problem.failed)} of {problem.count} inequalities do not hold")

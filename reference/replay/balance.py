@@ -87,7 +87,7 @@ def solve(r):
     count, cuts = len(r.pieces), r.cuts
     inner_hinges = [i for i in range(1, count) if r.nodes[i].free_hinge]
     r.shows(
-        "the cuts of the beam do not include its ends and all free hinges, or are not sorted",
+        "the cuts of the beam are not sorted, or an end of the beam or a free hinge is not a cut",
         {0, count, *inner_hinges} <= set(cuts) and cuts == sorted(cuts),
     )
     r.delta, r.delta_slope = [None] * count, [None] * count
@@ -200,8 +200,8 @@ def give_back(r, factors):
             r.added[i] = length * load / 4 + couple
             r.added_shear[i] = load + couple / length
             r.steep[i] = upper(slope)
-    # `drawn` is |β| on each piece. The axial tension P carries the transverse force Pw′ + β, where β is proportional to
-    # the slope of the pressure factor λ.
+    # `drawn` is |β| on each piece. The axial tension P exerts the transverse force Pw′ + β, where w′ is the slope of the
+    # beam and β is proportional to the slope of the relative pressure change λ.
     r.drawn = [r.carrier * steep for steep in r.steep]
     if r.carrier > 0:
         r.shows("the axial force carries a part of the transverse loads, but it is not tensile", r.tension is not None)

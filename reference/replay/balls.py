@@ -14,7 +14,7 @@ class NotReplayed(Exception):
 
 
 def exact(x):
-    """Returns a double as a ball of radius zero. The value null of the log becomes infinity."""
+    """Returns a double as a ball of radius zero. A `null` in the log becomes infinity."""
     return INFINITE if x is None else arb(float(x))
 
 

@@ -25,9 +25,9 @@ class Contact:
     def __init__(self, r, errors, edges):
         self.r, self.errors, self.at = r, errors, {}
         for edge in edges:
-            # In the first round of the proof the log can have two entries for one edge, one for each adjacent piece. An
-            # entry has the distances by which the exact edge may lie outside and inside the claimed contact region. The
-            # larger of both outside distances is used, and the larger of both inside distances.
+            # In the first round of the proof, the log can have two entries for one edge, one for each adjacent piece. An
+            # entry contains the largest distances of the exact edge from the claimed edge, outside and inside the contact
+            # region. Of two entries, the larger outside distance and the larger inside distance are used.
             other = self.at.setdefault((edge.node, edge.side), edge)
             other.outside, other.inside = other.outside.max(edge.outside), other.inside.max(edge.inside)
         self.edges = list(self.at.values())
@@ -177,7 +177,7 @@ class Contact:
         edges = [self.edge(a, 0), self.edge(b, 1)]
         inside = [edge.inside for edge in edges]
         r.shows(
-            f"the intervals of both edges cover the whole contact region that starts at node {a}",
+            f"the intervals of the left and the right edge together cover the contact region that starts at node {a}",
             inside[0] + inside[1] < r.x[b] - r.x[a],
         )
         for node in range(a, b + 1):
@@ -187,7 +187,7 @@ class Contact:
                 if not self.bends_open(node):
                     r.holds(f"the force at node {node}", self.tolerance[node], r.jump[node])
                 far = r.x[node] - r.x[a] > inside[0] and r.x[b] - r.x[node] > inside[1]
-                r.shows(f"a contact edge may lie at node {node}, where a force acts", far)
+                r.shows(f"the log does not exclude a contact edge at node {node}, where a force acts", far)
             known = a < node < b or inside[0 if node == a else 1] == 0
             if known and r.jump[node] > self.tolerance[node]:
                 self.pressed.add(node)
@@ -210,8 +210,7 @@ class Contact:
             steep = piece.shear.high * upper(clearance(r, j, piece.t[1 - side])[1])
         else:
             r.shows(
-                f"the interval of the contact edge at node {node} extends outside the contact region, but the beam is "
-                "not out of contact on the adjacent piece",
+                f"the claimed edge at node {node} can lie beyond the contact region, where no piece is out of contact",
                 edge.outside == 0,
             )
         edge.beyond = [outer + steep if open_side else arb(0), negative_part(r.jump[node] - outer)]

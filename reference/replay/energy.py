@@ -103,8 +103,8 @@ def springs(r):
             total += missed**2 / spring
         if node.turning is not None:
             piece, side = r.felt[i]
-            # The couple of a node belongs to the cell on the right of the node. At the right end of the beam it
-            # belongs to the cell on the left.
+            # The slope of the relative pressure change λ at the node is taken from the piece on the right. At the right
+            # end of the beam it is taken from the last piece.
             steep = r.steep[min(i, len(r.pieces) - 1)]
             turned = upper(r.c_slope[piece][side])
             total += (node.turning * turned + steep * node.weights["turning"]) ** 2 / node.turning

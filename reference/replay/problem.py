@@ -104,11 +104,11 @@ class Piece:
         return sum((upper(p[j]) * self.tau**j for j in range(skip, p.degree() + 1)), arb(0))
 
     def load(self):
-        """Returns a bound of the residual of the transverse equilibrium on the piece."""
+        """Returns an upper bound on the residual of the transverse equilibrium on this piece of the beam."""
         return self.size(self.residual)
 
     def steepness(self, coefficient):
-        """Returns a bound of the derivative of S or μ with respect to x on the piece."""
+        """Returns an upper bound on the derivative of S or μ with respect to x on this piece of the beam."""
         return arb(0) if coefficient.even else self.size(self.d(coefficient.along))
 
     def bent(self, moment):
@@ -130,7 +130,7 @@ class Node:
         # Weights of the supports in the redistribution of residual forces; any nonnegative weights are valid.
         self.weights = dict(zip(("rigid", "spring", "clamp", "turning"), map(exact, line["weights"])))
         if not all(weight >= 0 for weight in self.weights.values()):
-            raise NotReplayed("a weight for the redistribution of residual forces to a support is negative")
+            raise NotReplayed("a support has a negative weight in the redistribution of residual forces")
         if not (self.ground_force >= 0):
             raise NotReplayed("a load on the ground acts upward")
 
@@ -196,7 +196,7 @@ class Problem(Checks):
         for name in ("admissible at a node", "tolerance of a force"):
             self.complete(name, len(self.nodes))
         if any(len(line["bounds"]) != len(self.pieces) for line in self.all("round")):
-            raise NotReplayed("a line `round` of the log does not have error bounds for every piece")
+            raise NotReplayed("a `round` line of the log does not have error bounds for every piece")
         self.shears = any(piece.stiffness is not None for piece in self.pieces)
 
     def all(self, name):
@@ -206,12 +206,12 @@ class Problem(Checks):
         """Checks that the log has one line with this name for each piece or node, in order."""
         found = [line.get("piece", line.get("node")) for line in self.all(name)]
         if found != list(range(count)):
-            raise NotReplayed(f"the log does not have one line `{name}` for each piece or node, in order")
+            raise NotReplayed(f"the log does not have one `{name}` line for each piece or node, in order")
 
     def one(self, name):
         found = self.all(name)
         if len(found) != 1:
-            raise NotReplayed(f"the log has {len(found)} lines `{name}` instead of one")
+            raise NotReplayed(f"the log has {len(found)} `{name}` lines instead of one")
         return found[0]
 
     def layered(self, node):

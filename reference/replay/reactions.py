@@ -64,7 +64,7 @@ def sums(r):
             r.meets(f"the reaction at node {i}", claimed * sign - node.reaction[j])
         if node.acts:
             r.shows(
-                f"the one-way support at node {i} differs from the supports of the model",
+                f"the model does not have exactly the one-way support that the log has at node {i}",
                 [support.acts for support in here] == [node.acts],
             )
         elif any(support.acts for support in here):
@@ -127,7 +127,7 @@ def of_clamp(r, node):
     1 at the clamp. z is a cubic on both sides, or x − xᵢ on the whole beam if there is no other rigid support."""
     here = r.nodes[node]
     if not here.clamped:
-        # The exact moment of a pin is zero, and an answer that claims a moment of a pin is refused.
+        # A pinned support exerts no moment. The proof refuses an answer that claims a moment at a pinned support.
         return arb(0)
     k = turned_side(r, node, 0) + turned_side(r, node, 1) + here.stiff()[1]
     if sum(other.rigid is not None for other in r.nodes) == 1:

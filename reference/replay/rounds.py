@@ -24,7 +24,7 @@ def check(r):
     if r.contact is not None:
         same = sorted((e.node, e.side, float(e.outside), float(e.inside)) for e in edges)
         used = sorted((e.node, e.side, float(e.outside), float(e.inside)) for e in r.contact.edges)
-        r.shows("the logged edges differ from the edges of the last round", same == used)
+        r.shows("the contact edges in the log differ from those of the last round of the proof", same == used)
         for i, line in enumerate(r.all("tolerance of a force")):
             r.holds(f"eps_a at node {i}", r.contact.tolerance[i], exact(line["error"]))
 
@@ -70,7 +70,7 @@ def in_rounds(r):
         before, errors = contact, [dict(error) for error in errors]
     r.contact = before
     if before.shown != r.shown[0]:
-        r.shows("the last round and the log differ in whether the contact set is proven", False)
+        r.shows("the log line `contact set` and the last round of the proof disagree on whether the contact set is proven", False)
     if before.shown:
         final(r, before.errors)
         return

@@ -79,7 +79,8 @@ def stiffened(r, piece):
 
 
 def balancing(r, i):
-    """Returns a bound of |δ′| on a piece, where δ is the moment that balances the residuals."""
+    """Returns an upper bound on |δ′| on one piece of the beam. δ is the bending moment in equilibrium with the residual
+    loads, and δ′ its derivative with respect to x."""
     piece = r.pieces[i]
     return largest(*r.delta_slope[i]) + piece.h * piece.size(piece.residual, 1) + r.added_shear[i]
 

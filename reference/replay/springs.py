@@ -23,12 +23,12 @@ def check(r):
         interval, limit = list(piece.t), r.errors[i]["w"]
         for side in (0, 1):
             theta = zones.get((i, side))
-            # At a step of the initial gap g₀ or of a load q on the ground, w − g₀ − q/k jumps and so changes its sign
-            # without being zero. Here w is the deflection and k the subgrade modulus.
+            # At a step of the initial gap g₀ or of a load q on the ground, w − g₀ − q/k jumps, so it can change its
+            # sign without being zero. Here w is the deflection and k the subgrade modulus.
             steps = field(piece.t[side]) > limit
             if theta is None:
                 r.shows(
-                    f"the log has no line `zone` for the contact edge or support at node {i + side}",
+                    f"the log has no `zone` line for the contact edge or support at node {i + side}",
                     steps or not needs_zone(r, i, side),
                 )
                 continue

@@ -21,7 +21,7 @@ def check(r):
         return
     load = compression / (1 - r.sigma)
     stable = not r.shears and any(is_stable(r, load, count) for count in ELEMENTS)
-    r.shows("the fraction sigma of the beam's stiffness is not proven to remain under compression", stable)
+    r.shows("it is not proven that the beam keeps at least the fraction sigma of its stiffness under the compression", stable)
 
 
 def is_rigid(node):

@@ -1,7 +1,8 @@
-//! Compares the proven bounds of wrong answers with the true solution. `… --example attacks -- 10000 FIRST` tests
-//! 10000 random models from the number FIRST on; the solution of the solver counts as the true solution. `… --example
-//! attacks -- exact 10` tests ten wrong answers for each model of `reference/answers`. The true solutions of these
-//! models were computed with 60 digits.
+//! Compares the errors of wrong answers with the proven bounds of these errors.
+//!
+//! `… --example attacks -- 10000 FIRST` tests 10000 random models, starting with model number FIRST. The errors are
+//! differences from the answer of the solver. `… --example attacks -- exact 10` tests ten wrong answers for each model
+//! of `reference/answers`. The errors are differences from the stored answers, which were computed with 60 digits.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;
@@ -87,8 +88,8 @@ fn exact(each: u64) -> Vec<Case> {
     Answer::all().into_par_iter().enumerate().flat_map_iter(of_model).collect()
 }
 
-/// Prints one row for each name: the numbers of all documents, of documents with bounds and of proven documents, and
-/// the largest ratio of error to bound.
+/// Prints one row for each group of wrong answers that have the same name. The row contains the number of answers, the
+/// number of answers with error bounds, the number of proven answers, and the largest ratio of error to bound.
 fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     let mut table: BTreeMap<String, (usize, usize, usize, f64)> = BTreeMap::new();
     for case in cases {

@@ -4,9 +4,9 @@
 //! … --example random_models -- [COUNT] [exact | active-set] [FAMILY] [FIRST]
 //! ```
 //!
-//! The program solves COUNT models of each family, from the number FIRST on. It solves at most 2000 models of a
-//! family whose models take seconds. `active-set` uses meshes of 1 to 10 000 elements, and omits the families that
-//! only the exact method solves.
+//! The program solves COUNT models of each family, starting with model number FIRST. If a single model of a family can
+//! take seconds, it solves at most 2000 models of this family. `active-set` uses meshes of 1 to 10 000 elements, and
+//! omits the families that only the exact method solves.
 
 use groundbeam::{Method, Options, Outcome, solve_with};
 use groundbeam_verification::random::{Family, model};
@@ -26,7 +26,7 @@ const OTHERS: [(Family, u64); 4] = [
 struct Solved {
     number: u64,
     time: Duration,
-    /// Relative gap and number of contact zones, or the reason why there is no answer.
+    /// Relative energy gap of the solution and number of its contact zones, or the reason why there is no solution.
     answer: Result<(f64, usize), String>,
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 /// Number of equal steps along the beam. The fields are evaluated at the ends of the steps.
 const STEPS: usize = 40;
-/// Number of steps between two positions whose values are written if `in_full` is false.
+/// Number of steps along the beam between consecutive positions whose values are written, if `in_full` is false.
 const COARSE: usize = 10;
 
 /// Returns the lines of an answer. They contain the fields at all positions if `in_full` is true, otherwise at five
@@ -32,7 +32,7 @@ fn of_solution(solution: &Solution, in_full: bool) -> String {
         + &of_fields(solution, in_full)
 }
 
-/// Returns the lines of contact forces, reactions and hinges.
+/// Returns lines of text that list the contact forces, the reactions and the hinges.
 pub fn forces(solution: &Solution) -> String {
     let ends = solution.end_forces();
     let forces = solution.concentrated_forces().iter().flat_map(|force| [force.at, force.force]);
@@ -71,7 +71,7 @@ fn of_fields(solution: &Solution, in_full: bool) -> String {
     text + &format!("fields_digest {:016x}\n", digest.0)
 }
 
-/// Returns the lines of a verdict and of the static reactions.
+/// Returns lines of text that state the verdict on the existence of an equilibrium, and the static reactions.
 pub fn verdict(existence: &Existence) -> String {
     let verdict = match existence.verdict {
         Verdict::Unique => line("verdict unique", &[]),

@@ -1,7 +1,7 @@
-//! Writes random models and their answers to text files, from the code of the pinned commit.
+//! Solves random models with the code of the pinned commit, and writes the models and their answers to text files.
 //!
 //! `run.sh` copies this folder into the sources of that commit and builds it there. The code uses the interface of that
-//! commit and is no part of the present workspace. `verification/src/frozen` reads the files.
+//! commit and does not belong to the present workspace. `verification/src/frozen` reads the files.
 
 mod answer;
 mod model;
@@ -38,13 +38,13 @@ const FAMILIES: [Family; 20] = [
     Family::Extreme,
 ];
 
-/// Number of frozen models of each family.
+/// Number of models of each family that are written to the files, in addition to the models in `NAMED`.
 const FIRST: u64 = 200;
-/// Number of models of each family whose fields are frozen at every position. The fields of the models in `NAMED` are
-/// also frozen at every position.
+/// Number of models of each family for which the fields at all positions are written. They are also written for the
+/// models in `NAMED`. For all other models, the fields at five positions are written.
 const IN_FULL: u64 = 40;
 
-/// Models of each family to which measurements, documents or tests refer by number.
+/// For each family, the numbers of the models that measurements, documents or tests mention.
 const NAMED: [(Family, &[u64]); 14] = [
     (Family::Supported, &[8, 973, 1303]),
     (Family::Gap, &[4, 30, 738, 7429]),
@@ -108,7 +108,7 @@ fn write(family: Family, number: u64) -> Written {
     }
 }
 
-/// Writes the files of one family.
+/// Writes the random models of one family with the given numbers, their answers and their certificates to three files.
 fn write_family(folder: &Path, family: Family, numbers: &[u64]) -> std::io::Result<()> {
     let (next, written) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let threads = std::thread::available_parallelism().map_or(1, usize::from);

@@ -22,7 +22,8 @@ pub fn random(kind: u64, number: u64) -> (String, Model) {
     }
 }
 
-/// Allowed rounding error of the correct answer, relative to the largest value of the field or to the reaction.
+/// Rounding error allowed in the comparison with the correct answer, relative to the largest value of the field or to
+/// the reaction.
 const ROUNDING: f64 = 1e-12;
 
 /// A model with its solution and the proof of this solution.
@@ -45,7 +46,7 @@ pub struct Attack {
 pub struct Verdict {
     /// Whether the answer is proven.
     pub proven: bool,
-    /// Largest ratio of error to bound of all quantities.
+    /// Largest ratio of error to bound, over all quantities.
     pub ratio: f64,
     /// Ratios of error to bound, each with the name of its quantity.
     pub ratios: Vec<(&'static str, f64)>,
@@ -54,7 +55,8 @@ pub struct Verdict {
 }
 
 impl Target {
-    /// Solves and proves a model; `None` if the solution has no proven bounds.
+    /// Solves a model and proves error bounds of its solution. Returns `None` if there is no solution or no proven
+    /// bound.
     pub fn of(model: &Model) -> Option<Self> {
         let Ok(Outcome::Equilibrium(solution)) = solve(model) else { return None };
         let (given, right) = solution.claim::<Wide>();
@@ -91,7 +93,8 @@ impl Target {
         Some(Verdict { proven: proof.shortfall().is_none(), ratio, ratios, fault })
     }
 
-    /// Returns the ratio of error to bound of all fields and reactions, and a description of the last ratio above 1.
+    /// Returns the ratios of error to bound for every field and every reaction, and a description of the last ratio
+    /// above 1.
     fn errors(&self, answer: &Answer, proof: &Proof) -> (Vec<(&'static str, f64)>, Option<String>) {
         let (mut ratios, mut fault) = (Vec::new(), None);
         let mut judge = |name: &'static str, error: f64, bound: f64| {
@@ -126,8 +129,8 @@ impl Target {
         (ratios, fault)
     }
 
-    /// Returns for each field at x, which lies on the piece `piece` of a wrong answer, the value of this answer and
-    /// the bound of its error.
+    /// Returns, for each field, its value in a wrong answer at the position x and the proven error bound of this value.
+    /// `piece` is the piece of the answer that contains x.
     pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
@@ -327,7 +330,7 @@ const CHANGES: [Change; 14] = [
         }
     }),
     ("another settlement", |answer, rng, _| {
-        // Where k or μ varies, the proof uses the stored settlement of open ground.
+        // Only pieces out of contact where k or μ varies store the settlement of the ground.
         let stored: Vec<_> =
             answer.pieces.iter_mut().filter(|piece| !piece.settlement.is_empty()).collect();
         let count = stored.len();
@@ -398,7 +401,7 @@ fn on(piece: &Piece, x: [f64; 2]) -> Piece {
     let half = 0.5 * (x[1] - x[0]);
     let offset = (0.5 * (x[0] + x[1]) - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
     let ratio = half / piece.half;
-    // Horner's rule with polynomials computes p(offset + ratio t).
+    // `moved` computes the coefficients of the polynomial p(offset + ratio t) in t from those of p, by Horner's rule.
     let moved = |c: &[f64]| {
         c.iter().rev().fold(Vec::new(), |sum: Vec<f64>, c| {
             let mut next = vec![0.0; sum.len() + 1];

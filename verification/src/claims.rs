@@ -1,9 +1,9 @@
-//! Compares claimed answers with the true answer by their errors relative to proven bounds, and by the energy of the error.
+//! Computes the ratios of errors of claimed answers to their proven bounds, and the energy of these errors.
 
 use groundbeam::proof::Proof;
 use groundbeam::{Field, Model, Solution, SupportKind};
 
-/// Allowed rounding error of the correct answer, relative to the largest value of the field.
+/// Rounding error allowed in the comparison with the true answer, relative to the largest value of the field.
 const ROUNDING: f64 = 1e-10;
 
 /// Changes of a model; each function multiplies one kind of number of the model by a factor.

@@ -30,11 +30,12 @@ pub enum Quantity {
     ShearAtNodes,
     /// Shear force V at all stations, relative to the largest V.
     Shear,
-    /// End force p_l, relative to the resultant of the loads.
+    /// Contact force p_l under the right end of the beam, relative to the resultant of the loads.
     EndForce,
     /// Position of the left contact edge, relative to the length l.
     Edge,
-    /// Energy gap of the computed solution, which is its primal minus its dual energy, relative to the strain energy.
+    /// Energy gap of the computed solution, relative to its strain energy. The gap is the primal energy minus the dual
+    /// energy.
     Gap,
 }
 
@@ -82,8 +83,8 @@ pub fn errors(model: &Model, quantity: Quantity) -> Errors {
     })
 }
 
-/// Returns the order of convergence, which is minus the slope of log(error) over log(N) by least squares. Errors up
-/// to `floor` are omitted as rounding errors. Returns `None` if fewer than three errors remain.
+/// Returns the order of convergence: minus the slope of the least-squares line of log(error) against log(number of
+/// elements). Errors up to `floor` are omitted as rounding errors. Returns `None` if fewer than three errors remain.
 pub fn order(errors: &Errors, floor: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> = ELEMENTS
         .iter()

@@ -7,7 +7,7 @@ use std::fmt::Write;
 const LENGTH: f64 = 12.0;
 /// Length of the ground that is shown outside each end of the beam \[m\].
 const BEYOND: f64 = 2.0;
-/// Number of steps of the load from one end of the beam to the other end.
+/// Number of steps in which the load crosses the beam.
 const PLACES: usize = 48;
 /// Number of equal parts into which the beam is divided. The fields are computed at the ends of each part.
 const POINTS: usize = 40;
@@ -40,8 +40,7 @@ fn model(at: f64) -> Model {
 pub fn picture() -> Result<String, groundbeam::Error> {
     let mut solutions = Vec::new();
     for i in 0..=PLACES {
-        // The load stays inside the ends of the beam. Exactly over an end, the equilibrium would not be unique
-        // without the weight of the beam.
+        // The load keeps a distance of 2 % of the beam length from both ends of the beam.
         let at = LENGTH * (0.02 + 0.96 * i as f64 / PLACES as f64);
         if let Outcome::Equilibrium(solution) = solve(&model(at))? {
             solutions.push((at, solution));
@@ -66,7 +65,7 @@ struct Frame {
     at: f64,
     /// Position x, deflection w and contact pressure.
     beam: Vec<[f64; 3]>,
-    /// Position x and settlement u of the ground, also outside the ends of the beam.
+    /// Position x and settlement u of points of the ground surface, including points beyond the ends of the beam.
     ground: Vec<[f64; 2]>,
     ends: [f64; 2],
 }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 /// Numbers of the sections of the paper and of the equations in each section, (2.1) to (5.21).
 pub const SECTIONS: [(u32, u32); 4] = [(2, 13), (3, 12), (4, 25), (5, 21)];
 
-/// Folders of the crates that name the paper's equations.
+/// Folders with the source files that are searched for equation numbers of the paper.
 const FOLDERS: [&str; 3] =
     ["crates/groundbeam/src", "crates/groundbeam-proof/src", "verification/src"];
 
@@ -44,8 +44,8 @@ const NOT_NEEDED: &str = "\
 5.21 | the condition of the example | (4.25) for the models in `cases/kikuchi-1980/`
 ";
 
-/// Returns the index as a Markdown table, and the faults: equations that neither a file nor `NOT_NEEDED` names, or
-/// that both name.
+/// Returns the index of equations as a Markdown table, and a message for each fault. An equation must be either named
+/// by a source file or listed in `NOT_NEEDED`, but not both.
 pub fn index() -> (String, Vec<String>) {
     let files: Vec<Source> = FOLDERS.iter().flat_map(|folder| sources(folder)).collect();
     // This file is not searched, because it lists the equations that no other file names.
@@ -76,7 +76,8 @@ pub fn index() -> (String, Vec<String>) {
     (table, missing)
 }
 
-/// Returns the statement of an equation that the program does not need, and the reason.
+/// Returns the statement of an equation and the reason why the program does not need it; `None` if the equation is not
+/// listed in `NOT_NEEDED`.
 fn reason(section: u32, number: u32) -> Option<(&'static str, &'static str)> {
     let name = format!("{section}.{number}");
     let mut rows = NOT_NEEDED.lines().map(|line| line.splitn(3, " | "));

@@ -1,4 +1,4 @@
-//! Compares errors of wrong answers with their proven bounds, for models whose exact answers `reference/answers` contains.
+//! Compares the errors of wrong answers with proven error bounds. The exact answers come from `reference/answers`.
 
 use crate::attack::{Attack, Target};
 use crate::reference::Answer as Exact;

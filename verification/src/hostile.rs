@@ -111,8 +111,8 @@ impl Dice {
         if self.happens(12) { sign * 0.0 } else { sign * self.size() }
     }
 
-    /// Returns a position on a beam: an end, a round fraction, an earlier position, a random position, or a position
-    /// that differs from one of these by a few rounding errors.
+    /// Returns a position on a beam: an end, a simple fraction of the beam length, an earlier position, a random
+    /// position, or a position very close to one of these.
     fn place(&mut self, places: &mut Vec<f64>) -> f64 {
         let length = places[1];
         let at = match self.up_to(3) {
@@ -152,8 +152,8 @@ pub fn model(number: u64) -> Model {
     let dice = &mut Dice::of(number, 1);
     let length = dice.size();
     let places = &mut vec![0.0, length];
-    // If `tame` is true, EI and μ are drawn relative to k l⁴ and k l² with the subgrade k and the beam length l, so
-    // that extreme stiffness ratios are rare.
+    // If `tame` is true, EI and μ are drawn as multiples of k l⁴ and k l², where k is the subgrade modulus and l the
+    // beam length. Extreme stiffness ratios are then rare.
     let tame = dice.happens(2);
     let k = dice.size();
     let stiffness = if tame {

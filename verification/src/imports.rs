@@ -1,4 +1,4 @@
-//! Reads from the source files of a crate which file uses which names of which other file.
+//! Finds the names that each source file of a crate uses from the other files of this crate.
 //!
 //! A re-exported name belongs to the file that defines this name. Unit tests are not counted. Method calls are not
 //! counted either, because they contain no path.
@@ -20,7 +20,7 @@ struct File {
     defined: BTreeSet<String>,
     /// The names that `use` imports, each as a path and a local name.
     uses: Vec<(Path, String)>,
-    /// All paths outside `use`, each as a pair of the module that contains the path, and the path.
+    /// All paths outside `use` declarations. Each pair contains the module in which the path occurs, and the path.
     paths: Vec<(Path, Path)>,
 }
 

@@ -28,8 +28,8 @@ pub enum Family {
     Supported,
     /// A beam above ground with an initial gap.
     Gap,
-    /// A beam of extreme stiffness, with the resultant of its loads close to an end. With λ = (k/(4EI))^¼, λl is
-    /// between 10⁻² and 10³.
+    /// A beam with the resultant of its loads close to an end. λl is between 10⁻² (almost rigid beam) and 10³ (very
+    /// flexible beam), with λ = (k/(4EI))^¼.
     Hard,
     /// A long beam with upward loads at several positions, which has many contact zones.
     Long,

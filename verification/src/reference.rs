@@ -18,7 +18,7 @@ pub struct Answer {
     pub contact: Vec<[f64; 2]>,
     /// Forces p₀ and p_l under the ends of the beam.
     pub end_forces: BTreeMap<String, f64>,
-    /// Concentrated contact forces inside the beam.
+    /// Concentrated contact forces between the ends of the beam.
     #[serde(default)]
     pub inner_forces: Vec<InnerForce>,
     /// Support reactions.
@@ -42,7 +42,7 @@ pub struct AnswerReaction {
     pub moment: f64,
 }
 
-/// A concentrated contact force inside the beam.
+/// A concentrated contact force between the ends of the beam.
 #[derive(Debug, Deserialize)]
 pub struct InnerForce {
     /// Position.
@@ -55,14 +55,14 @@ pub struct InnerForce {
 /// precision.
 #[derive(Debug, Deserialize)]
 pub struct Doubtful {
-    /// Models with a stretch whose force or clearance is below the rounding error.
+    /// Models with a stretch of the beam where the contact force or the clearance is below the rounding error.
     pub zones: Vec<DoubtfulZone>,
     /// The answer for a beam that is balanced on one kink of the ground surface.
     pub balance: Balance,
 }
 
-/// A reference answer for a model with a stretch where force or clearance is so small that a computation in double
-/// precision cannot decide whether the beam touches the ground.
+/// The reference answer for a model with a doubtful stretch of the beam. On this stretch, the contact force or the
+/// clearance is too small to decide in double precision whether the beam touches the ground.
 #[derive(Debug, Deserialize)]
 pub struct DoubtfulZone {
     /// The reference answer.
@@ -178,7 +178,7 @@ impl Answer {
     }
 
     /// Returns the largest error of a field at the stations away from contact edges, minus the rounding error of the
-    /// stored answer.
+    /// reference values.
     pub fn largest_error(&self, solution: &Solution, field: Field) -> f64 {
         let x = self.numbers("x");
         let sides = self.stations["side"].as_array().expect("a list of sides");
@@ -211,11 +211,13 @@ impl Answer {
             };
             let wanted = self.numbers(field.name());
             for ((&x, side), wanted) in x.iter().zip(sides).zip(wanted) {
-                // If a station is at a contact edge, the one-sided value is compared at the computed edge.
+                // At a contact edge, the reference values are one-sided. They are compared with the one-sided values at
+                // the contact edge of the computed solution.
                 let edges = solution.contact().iter().flat_map(|region| [region.from, region.to]);
                 let near = |edge: &f64| side != "" && (edge - x).abs() <= 1e-11 * l;
                 let edge = edges.into_iter().find(near);
-                // If a load is within rounding error of an edge, the order of load and edge is undetermined.
+                // If a load is within rounding error of a contact edge, it is undetermined which of the two is further
+                // left.
                 if edge.is_some() && self.loaded_near(x, 1e-11 * l) {
                     continue;
                 }

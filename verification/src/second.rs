@@ -7,14 +7,12 @@ use groundbeam::{
 use groundbeam_proof as proof;
 use groundbeam_proof::{Course, Scalar, Wide};
 
-/// The differences between two models, each with its name and both numbers, and the largest difference in units of
-/// the last place.
+/// The result of the comparison of two models.
 #[derive(Debug, Default)]
 pub struct Comparison {
-    /// Number of compared numbers.
+    /// Number of values that were compared.
     pub numbers: usize,
-    /// The largest relative difference between a number of the first model and the same number of the second model,
-    /// in units of 2⁻⁵².
+    /// The largest relative difference between corresponding values of the two models, in units of 2⁻⁵².
     pub largest: f64,
     /// Descriptions of the differences that exceed the tolerance.
     pub faults: Vec<String>,
@@ -44,8 +42,8 @@ impl Comparison {
         let difference = (first - second.middle()).abs();
         let ulps = if difference == 0.0 { 0.0 } else { difference / first.abs() / f64::EPSILON };
         self.largest = self.largest.max(ulps);
-        // The second model encloses each number in an interval around a midpoint. `rest` is the distance of the ends
-        // of this interval from the midpoint; it must not exceed a rounding error of a double.
+        // The second model stores each value as an interval. `rest` is an upper bound on the half-width of this
+        // interval. It must not exceed the rounding error of a double.
         let rest = (second - Wide::of(second.middle())).size();
         let is_sharp = rest <= f64::EPSILON * (first.abs() + 1e-12 * largest.abs()) + 1e-280;
         if !(ulps <= self.allowed && is_sharp) {

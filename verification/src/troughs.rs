@@ -26,9 +26,9 @@ pub struct Drawn {
     pub troughs: Vec<Trough>,
 }
 
-/// Returns the random model with the given number. A number always gives the same model. Stiffness, loads and troughs
-/// cover more than the range of practice. Models with even numbers have Winkler ground, models with odd numbers have a
-/// shear layer.
+/// Returns the random model with the given number. A number always gives the same model. The stiffnesses, the loads and
+/// the settlement troughs vary more widely than in practice. Models with even numbers have Winkler ground, models with
+/// odd numbers have a shear layer.
 pub fn drawn(number: u64) -> Drawn {
     let mut random = ChaCha8Rng::seed_from_u64(number);
     let r = &mut random;
@@ -124,8 +124,8 @@ fn decades(r: &mut impl Rng, from: f64, to: f64) -> f64 {
     10.0_f64.powf(r.random_range(from..to))
 }
 
-/// Returns the model with twice as many chords of the ground surface, where each new corner lies on the curve of the
-/// settlement troughs.
+/// Returns the model with twice as many straight segments of the ground surface. Each new corner of the surface lies on
+/// the exact curve of the settlement troughs.
 pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     let depth = |x: f64| {
         let of = |trough: &Trough| {
@@ -152,8 +152,8 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
 /// quantity, and those of the contact edges are relative to the beam length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Changed {
-    /// Differences between the extremes of deflection, moment and pressure in the two solutions, relative to the
-    /// largest magnitude.
+    /// Differences between the extremes of deflection, moment and pressure in the two solutions. Each difference is
+    /// relative to the largest magnitude of the same quantity.
     pub fields: [f64; 3],
     /// The largest distance from a contact edge of one solution to the nearest contact edge of the other solution,
     /// relative to the beam length.
@@ -176,7 +176,7 @@ pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
 /// An end of a contact zone.
 struct Edge {
     at: f64,
-    /// Length of the open span that ends at the contact edge.
+    /// Length of the part of the beam without contact that ends at the contact edge.
     opening: f64,
 }
 
@@ -190,10 +190,10 @@ fn edges(solution: &Solution) -> Vec<Edge> {
     openings.flat_map(ends).collect()
 }
 
-/// Returns the largest distance from a contact edge of one solution to the nearest contact edge of the other solution.
-/// The edges are given in `from` and `to`. The distance of an edge counts as at most half the length of the open span
-/// that ends at this edge. A beam on a shear layer lifts off at every V-shaped corner of the ground surface, and some of
-/// these corners exist in the model of only one solution.
+/// Returns the largest distance from a contact edge in `from` to the nearest contact edge in `to`. Each distance is
+/// limited to half the length of the part without contact that ends at the edge in `from`. The reason is that a beam on
+/// a shear layer lifts off at every V-shaped corner of the ground surface, and some corners exist in only one of the
+/// two models.
 fn apart(from: &[Edge], to: &[Edge]) -> f64 {
     let distance = |edge: &Edge| {
         to.iter().map(|other| (edge.at - other.at).abs()).fold(0.5 * edge.opening, f64::min)
@@ -215,11 +215,11 @@ pub enum Result {
     Solved {
         /// Default number of chords (straight segments) that replace the curve of the settlement troughs.
         chords: usize,
-        /// Numbers of contact zones in the solution with the default number of chords and in the solution with twice
-        /// as many chords.
+        /// Numbers of contact zones in two solutions: one with the default number of chords that replace the settlement
+        /// troughs, the other with twice as many chords.
         zones: [usize; 2],
-        /// Differences between the solution with the default number of chords and the solution with twice as many
-        /// chords.
+        /// Differences between two solutions: one with the default number of chords that replace the settlement
+        /// troughs, the other with twice as many chords.
         changed: Changed,
         /// Time of the first solution in seconds.
         seconds: f64,

@@ -159,8 +159,8 @@ impl Meshed {
         cholesky(self.bonded(compression, &touching).0).is_some()
     }
 
-    /// Returns the w and θ at which Newton's method starts without compression: a level beam that is in contact with
-    /// all springs of the ground.
+    /// Returns the deflections w and rotations θ of the nodes from which Newton's method starts at zero axial
+    /// compression. The beam is level and in contact with all springs of the ground.
     pub fn at_rest(&self) -> Vec<f64> {
         let deepest = self.springs.iter().map(|spring| spring.place).fold(0.0, f64::max);
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()

@@ -1,6 +1,8 @@
 //! The contact iteration on single models: each fails or changes without one particular line of the iteration.
 
-use groundbeam::{Method, Options, Outcome, Solution, Verdict, solve, solve_with};
+use groundbeam::{
+    Beam, Foundation, Load, Method, Model, Options, Outcome, Solution, Verdict, solve, solve_with,
+};
 use groundbeam_verification::random::{Family, model};
 
 fn solved(family: Family, number: u64) -> Box<Solution> {
@@ -49,6 +51,26 @@ fn a_mechanism_on_its_trial_contact_is_restrained() {
 fn small_deformations_of_a_beam_that_translates_far_keep_their_digits() {
     for (family, number) in [(Family::Settled, 5867), (Family::Extreme, 1502)] {
         solved(family, number);
+    }
+}
+
+#[test]
+fn an_extremely_large_shear_stiffness_acts_like_a_beam_without_shear_deformation() {
+    for shear_layer in [0.0, 1.0] {
+        let mut model =
+            Model::new(Beam::uniform(10.0, 1000.0), Foundation::pasternak(4.0, shear_layer))
+                .with_load(Load::point_force(3.0, 1.0));
+        let contact = |model: &Model| match solve(model) {
+            Ok(Outcome::Equilibrium(solution)) => zones(&solution),
+            other => panic!("{other:?}"),
+        };
+        let without = contact(&model);
+        model.beam.shear_stiffness = Some(1e30);
+        let with = contact(&model);
+        assert!(without.len() == 1 && with.len() == 1, "{without:?} {with:?}");
+        for (a, b) in without[0].iter().zip(with[0]) {
+            assert!((a - b).abs() < 1e-12, "{without:?} {with:?}");
+        }
     }
 }
 

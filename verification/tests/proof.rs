@@ -66,7 +66,7 @@ const EXCEPTIONS: [(&str, Cause, &str); 8] = [
     (
         "textbook/lovtsov-2025-beam-loaded-at-both-ends-about-to-lift-off.toml",
         Cause::Threshold,
-        "the contact set is not proven: the position of a region's edge has no bound",
+        "the contact set is not proven: no error bound is proven for the position of a contact edge",
     ),
     (
         "textbook/rigid-footing-of-kikuchi-about-to-lift-off.toml",

@@ -48,7 +48,7 @@ pub enum Command {
     Solve(Solve),
     /// Read a model and decide whether an equilibrium exists, without solving
     Check(Check),
-    /// Prove the numbers of a result document for its model file
+    /// Prove that the numbers in a result document are correct for its model file
     Verify(Verify),
     /// Write a commented starter model file
     New(New),
@@ -132,8 +132,8 @@ pub struct Solve {
 
     /// Also compute the load factors at which the beam first lifts off and at which equilibrium is lost
     ///
-    /// All loads grow. With names of load cases, only their loads grow, as in --factors=Q or
-    /// --factors=Q,wind.
+    /// By default, all loads grow. If load cases are named, as in --factors=Q or --factors=Q,wind, only the loads of
+    /// these load cases grow.
     #[arg(long, value_name = "CASES", num_args = 0..=1, require_equals = true)]
     pub factors: Option<Option<String>>,
 
@@ -143,7 +143,7 @@ pub struct Solve {
     #[arg(long, value_name = "NAME")]
     pub combination: Option<String>,
 
-    /// Solve only the combinations of this set; the model file must use the set
+    /// Solve only the combinations of the set NAME, which a key `set` of the model file must name
     #[arg(long, value_name = "NAME", conflicts_with = "combination")]
     pub set: Option<String>,
 
@@ -220,7 +220,7 @@ impl Printed {
     }
 }
 
-/// Prove the numbers of a result document for its model file
+/// Prove that the numbers in a result document are correct for its model file
 ///
 /// The document comes from `groundbeam solve --json --pieces` or from another program. Each of its numbers is
 /// compared with the exact solution of the model, with arithmetic that encloses all rounding errors. The
@@ -348,7 +348,7 @@ pub struct Merge {
     pub out: PathBuf,
 }
 
-/// Subject of a starter model file.
+/// Kind of structure that a starter model file describes.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Starter {
     /// A strip footing under columns

@@ -109,11 +109,15 @@ pub const METHODS: [Choice<Method>; 4] = [
     ("exact", "Closed-form solution between the contact edges, no mesh", Method::Exact),
     (
         "active-set",
-        "Newton's method for minimum energy, with ground forces at mesh nodes",
+        "Energy minimization by Newton's method, with ground forces at mesh nodes",
         Method::ActiveSet,
     ),
-    ("psor", "Projected successive over-relaxation, Kikuchi (5.17), (5.18)", Method::Psor),
-    ("uzawa", "Uzawa's iteration, Kikuchi (5.14) to (5.17)", Method::Uzawa),
+    (
+        "psor",
+        "Projected successive over-relaxation, Kikuchi's equations (5.17), (5.18)",
+        Method::Psor,
+    ),
+    ("uzawa", "Uzawa's iteration, Kikuchi's equations (5.14) to (5.17)", Method::Uzawa),
 ];
 
 pub const STARTS: [Choice<Start>; 2] = [

@@ -52,7 +52,7 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
     })
 }
 
-/// Reads the results in a document.
+/// Reads all result documents in a file.
 fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     let (name, bytes) = bytes_of(path)?;
     let failure = |error: &dyn Display| {
@@ -68,7 +68,7 @@ fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     if read.is_empty() { Err(failure(&"the document has no results")) } else { Ok(read) }
 }
 
-/// Model file for a proof. The proof has its own reader of model files.
+/// Model file for the proof checker, which has its own reader of model files.
 struct ModelFile {
     name: String,
     text: String,

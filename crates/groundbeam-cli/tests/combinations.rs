@@ -174,8 +174,7 @@ fn the_strict_option_fails_for_failed_or_missing_verdicts() {
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);
     let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
-    let expected =
-        "lifted share not judged: no combination of SLS characteristic or allowable stress";
+    let expected = "lifted share not judged: no combination has the limit state SLS characteristic or allowable stress";
     assert!(words.contains(expected), "{words}");
     folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
     // Without combinations the check applies to the loads as given.
@@ -193,7 +192,8 @@ fn a_check_without_a_selected_combination_of_its_limit_state_is_not_judged() {
     let folder = Folder::with(&judged());
     let done = folder.run(&["solve", "model.toml", "--combination", "both"]);
     let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
-    let expected = "lifted share not judged: no selected combination is of SLS characteristic";
+    let expected =
+        "lifted share not judged: no selected combination has the limit state SLS characteristic";
     assert!(words.contains(expected), "{words}");
     folder.run(&["solve", "model.toml", "--combination", "both", "--strict"]).is_clean(1);
 }
@@ -208,7 +208,7 @@ fn an_eccentricity_that_does_not_exist_is_not_judged() {
     done.is_clean(0);
     assert!(done.stdout.contains("eccentricity not judged: the loads have no resultant"));
     // The beam is pinned at one end, and no load turns it about this end.
-    let expected = "no load overturns the beam; a factor of 1.5 is required: passes";
+    let expected = "no overturning load; the required safety factor is 1.5: passes";
     assert!(done.stdout.contains(expected), "{}", done.stdout);
     let checks = folder.run(&["solve", "model.toml", "--json"]).json()["checks"].clone();
     assert_eq!(
@@ -299,7 +299,8 @@ fn a_bearing_resistance_is_a_design_value_or_an_allowable_value() {
     let folder = under("dead", &(set("ASCE 7-22 LRFD") + &set("ASCE 7-22 ASD")));
     let done = folder.run(&["solve", "model.toml", "--set", "ASCE 7-22 ASD"]);
     let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
-    let expected = "bearing resistance not judged: no selected combination is of STR/GEO";
+    let expected =
+        "bearing resistance not judged: no selected combination has the limit state STR/GEO";
     assert!(words.contains(expected), "{words}");
 }
 

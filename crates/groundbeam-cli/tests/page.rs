@@ -310,7 +310,7 @@ fn the_page_shows_tipping_and_shares_and_downloads_the_model() {
         "{said}"
     );
     assert!(browser.eval("document.querySelector('#drawing .moves') !== null") == true);
-    assert!(row(&browser, "Motion").starts_with("the right end lifts"));
+    assert!(row(&browser, "Motion").starts_with("the right end lifts off"));
     let printed = browser.text("#report");
     assert!(printed.contains("none: "), "{printed}");
 

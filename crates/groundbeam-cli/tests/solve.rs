@@ -95,7 +95,7 @@ fn a_model_without_equilibrium_ends_with_status_3() {
     let folder = Folder::with(&tips());
     let done = folder.run(&["solve", "model.toml", "--csv", "t.csv"]);
     done.fails(3, "tips about its right end");
-    done.fails(3, "the left end lifts, the right end stays");
+    done.fails(3, "the left end lifts off, the right end stays in place");
     assert_eq!(folder.names(), ["model.toml"]);
     let done = folder.run(&["solve", "model.toml", "--json"]);
     done.is_clean(3);
@@ -285,7 +285,7 @@ fn solve_prints_load_factors_on_request() {
 fn unknown_load_cases_are_refused() {
     let folder = Folder::with(&LIFTS.replace("moment", "case = \"Q\"\nmoment"));
     let run = |list: &str| folder.run(&["solve", "model.toml", list]);
-    run("--factors=Q,q").fails(2, "error[GB009]: no load belongs to a case `q`");
+    run("--factors=Q,q").fails(2, "error[GB009]: no load belongs to the load case `q`");
     run("--factors=Q,q").fails(2, "--> --factors:1:3");
     run("--factors=wind").fails(2, "the cases of the file: Q");
     run("--factors=").fails(2, "a load case is missing here");
@@ -320,7 +320,11 @@ fn a_train_gives_the_envelope_of_its_positions() {
     assert!(found["uplift"]["behind"]["value"].as_f64().unwrap() > 0.0);
     let report = folder.run(&["solve", "model.toml", "--plot", "p.svg", "--csv", "t.csv"]);
     report.is_clean(0);
-    assert!(report.stdout.contains("Train        bogie: 2 axles, 224 kN together, over 1.8 m\n"));
+    assert!(
+        report
+            .stdout
+            .contains("Train        bogie: 2 axles, 224 kN in total, over a length of 1.8 m\n")
+    );
     assert!(report.stdout.lines().all(|line| line.chars().count() <= 80), "{}", report.stdout);
     assert!(folder.read("p.svg").starts_with("<svg "));
     assert!(

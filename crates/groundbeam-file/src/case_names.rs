@@ -12,7 +12,7 @@ pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
 }
 
 /// Message for a name that is not a load case.
-pub(crate) const NO_LOAD: &str = "no load belongs to a case `{}`";
+pub(crate) const NO_LOAD: &str = "no load belongs to the load case `{}`";
 
 /// Returns the hint for a name that resembles no load case.
 pub(crate) fn otherwise(names: &[&str]) -> &'static str {

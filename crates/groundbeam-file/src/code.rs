@@ -69,9 +69,9 @@ const LIMITS: Page =
 /// Section of the documentation that a diagnostic refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Page {
-    /// Title of the section.
+    /// Title of the section of the documentation.
     pub title: &'static str,
-    /// Link to the section, relative to the folder `docs/`.
+    /// Link to the section of the documentation, relative to the folder `docs/`.
     pub target: &'static str,
 }
 
@@ -85,7 +85,7 @@ pub struct Code {
     pub meaning: &'static str,
     /// Remedy for the user, in one or two sentences.
     pub remedy: &'static str,
-    /// Section of the documentation that explains the subject of the code.
+    /// Section of the documentation that explains the subject of this diagnostic.
     pub page: Page,
     /// File in `cases/errors/` with this fault. `None` if the fault occurs only in a solve, in a study or in a model
     /// built in code.
@@ -148,7 +148,7 @@ pub const CODES: &[Code] = &[
         "a number cannot be read",
         "Write a decimal number with a point, followed by its unit."),
     row(NOT_FINITE, UNITS, "not-finite.toml",
-        "a number is not finite, too large or too small",
+        "a number is infinite or NaN, or its magnitude is too large or too small",
         "Give 0 or a number with a magnitude between 1e-60 and 1e60."),
     row(UNIT_SYNTAX, UNITS, "unit-syntax.toml",
         "a unit cannot be read",
@@ -268,7 +268,7 @@ pub const CODES: &[Code] = &[
         "the points of the gap must be in order from left to right",
         "Sort the points by position, and give each point a different position."),
     row(CHORDS, TROUGHS, "trough-chords.toml",
-        "too many straight pieces are needed to approximate the settlement troughs",
+        "too many chords are needed to approximate the curves of the settlement troughs",
         "Check the settlement, the loads and the stiffnesses, or give the gap as points."),
     elsewhere("GB603", METHODS,
         "the iterations `psor` and `uzawa` and the nodal method need a shear layer: mu is zero somewhere under the beam",
@@ -289,10 +289,10 @@ pub const CODES: &[Code] = &[
         "only the methods `exact` and `active-set` support loads on the ground",
         "Use the method `exact` or `active-set`."),
     elsewhere("GB611", COMPRESSION,
-        "only the method `exact` solves a beam under compression beyond its own buckling load",
+        "only the method `exact` supports a compression above the buckling load of the beam without the ground",
         "Use the method `exact`."),
     elsewhere("GB612", COMPRESSION,
-        "a beam under compression beyond its own buckling load has no load factors",
+        "load factors cannot be computed for a compression above the buckling load of the beam without the ground",
         "Omit the load factors. The result then contains the critical compression."),
     elsewhere("GB614", METHODS,
         "only the methods `exact` and `active-set` solve a beam with shear deformation",

@@ -1,4 +1,4 @@
-//! Computes the models of combinations of load cases, from the names and factors in the file.
+//! Builds the model of each combination of load cases, from the names of load cases and the factors in the file.
 
 use crate::band::Band;
 use crate::code;
@@ -229,7 +229,7 @@ impl Document {
     /// Returns the names of the sets of combinations that the file uses, each once.
     pub fn set_names(&self) -> Vec<&'static str> {
         let mut names: Vec<&str> = self.recipes.iter().filter_map(|recipe| recipe.set).collect();
-        // A file uses a set at most once, and the combinations of a set are consecutive.
+        // A file names each set of combinations at most once, so the combinations of one set are consecutive.
         names.dedup();
         names
     }

@@ -105,7 +105,7 @@ settlement = \"20 mm\"
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
         // For each key that allows the value 0, at least one model file must be accepted with this value. Some files
-        // refuse μ = 0, because the shear layer would then end inside the beam.
+        // are rejected with μ = 0 (no shear layer), because the shear layer would then end under the beam.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {
             let Ok(document) = crate::parse_beside(&text, &folder) else { continue };

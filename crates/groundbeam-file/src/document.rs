@@ -43,7 +43,7 @@ pub struct Document {
     pub cases: Vec<Option<String>>,
     /// Trains that pass over the beam, one at a time.
     pub trains: Vec<MovingTrain>,
-    /// Depth of the section along the beam; empty if the depth is not known everywhere.
+    /// Depth of the beam's section along the beam; empty if the depth of any part of the beam is unknown.
     pub depths: Vec<Depth>,
     /// All quantities of the file, in the order of the text. Programs edit these quantities to change the model.
     pub quantities: Vec<Quantity>,
@@ -57,9 +57,9 @@ pub struct Document {
 /// Depth of the beam's section on a stretch of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Depth {
-    /// Left end of the stretch \[m\].
+    /// Position of the left end of the stretch of the beam \[m\].
     pub from: f64,
-    /// Right end of the stretch \[m\].
+    /// Position of the right end of the stretch of the beam \[m\].
     pub to: f64,
     /// Depth of the section \[m\] as a profile from the left end to the right end of the stretch.
     pub depth: Profile,
@@ -76,8 +76,8 @@ pub struct Quantity {
     pub number: Range<usize>,
     /// Byte range of the number and the unit, without quotes.
     pub text: Range<usize>,
-    /// Decimal number and unit that equal a length in feet and inches or with a fraction; `None` for a decimal
-    /// number.
+    /// The quantity as a decimal number and its unit, if the file gives a length in feet and inches or as a fraction.
+    /// `None` if the file gives a decimal number.
     pub decimal: Option<(f64, &'static str)>,
     /// Factor that converts the unit to SI units; 1 without a unit.
     pub unit: f64,
@@ -101,8 +101,8 @@ impl Document {
         case.is_some_and(|case| cases.contains(case))
     }
 
-    /// Returns the faults of the model that a solve found, with their locations. The list is empty if the error does
-    /// not concern the model.
+    /// Returns the faults of the model that the error of a solve reports, with their locations in the file. The list is
+    /// empty if the error does not concern the model.
     pub fn diagnostics_for(&self, error: &Error) -> Vec<Diagnostic> {
         let problems = match error {
             Error::Invalid(problems) => &problems[..],

@@ -133,7 +133,8 @@ impl Key {
         Key { also, ..self }
     }
 
-    /// Returns this key with the names of a related quantity and its conversion to the quantity of the key.
+    /// Returns this key with `names` of another quantity that users may give by mistake. `how` is a hint that tells users
+    /// how to convert this other quantity to the quantity of the key.
     pub const fn unlike(self, names: &'static [&'static str], how: &'static str) -> Key {
         Key { unlike: Some((names, how)), ..self }
     }

@@ -5,7 +5,7 @@ use crate::quantity::{ELASTIC_MODULUS, EXPANSION, UNIT_WEIGHT};
 use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Data file of materials, with the common sources of their values.
+/// Data file of materials. Each source applies to all materials of the file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Family {

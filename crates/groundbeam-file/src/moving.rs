@@ -32,16 +32,16 @@ pub struct MovingTrain {
 /// Placement of those distributed loads of a train that have infinite length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Spread {
-    /// The loads of infinite length act over their whole length.
+    /// No load of infinite length is shortened or omitted.
     #[default]
     Everywhere,
     /// The loads of infinite length act only ahead of the train.
     Ahead,
     /// The loads of infinite length act only behind the train.
     Behind,
-    /// A load that has neither a front end nor a rear end acts on the left half of the beam only.
+    /// Each lane load, a distributed load without front end and rear end, covers only the left half of the beam.
     LeftHalf,
-    /// A load that has neither a front end nor a rear end acts on the right half of the beam only.
+    /// Each lane load, a distributed load without front end and rear end, covers only the right half of the beam.
     RightHalf,
     /// The loads of infinite length are omitted from the train.
     Nowhere,
@@ -61,7 +61,7 @@ impl Spread {
     }
 }
 
-/// Whether a uniform load has an end ahead of the train, and whether it has an end behind the train.
+/// Whether the front end and the rear end of a uniform load are each at a finite distance from the first axle.
 fn ends(part: &UniformPart) -> [bool; 2] {
     [part.from.is_finite(), part.to.is_finite()]
 }
@@ -72,9 +72,9 @@ impl MovingTrain {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }
 
-    /// Returns the train once for each placement of its loads of infinite length, with a list of fixed loads. A
-    /// uniform load without front and rear end does not move with the train if it is placed on one half of the beam.
-    /// The list contains each such load.
+    /// Returns the train once for each placement of its loads of infinite length, with the loads that do not move with
+    /// the train. Only a lane load (a uniform load without front end and rear end) that covers one half of the beam does
+    /// not move with the train.
     pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
         let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
         let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));

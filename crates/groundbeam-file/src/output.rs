@@ -122,7 +122,7 @@ impl Replacement {
 impl Drop for Replacement {
     fn drop(&mut self) {
         if !self.is_finished {
-            // The caller reports the first error, so an error of this removal is ignored.
+            // The caller reports the first error, so an error while removing the file is ignored.
             let _ = fs::remove_file(&self.unfinished);
         }
     }

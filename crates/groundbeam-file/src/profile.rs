@@ -36,7 +36,7 @@ impl Along {
         Field::new(value, self.span.clone())
     }
 
-    /// Returns the part of the quantity between two fractions of the length of the stretch.
+    /// Returns the quantity on the part of its stretch between two fractions of the stretch's length.
     pub fn between(&self, [from, to]: [f64; 2]) -> Self {
         Along { profile: self.profile.part(from, to), span: self.span.clone() }
     }
@@ -66,7 +66,8 @@ impl Reader<'_> {
             };
             let curve = match (most, key) {
                 (2, _) => String::new(),
-                // k and μ may have at most three values, which define a quadratic curve (GB204).
+                // The subgrade modulus k and the shear constant μ may vary at most quadratically, so at most three values are
+                // allowed (diagnostic GB204).
                 (_, "k" | "mu") => ", or three control values of a Bézier curve".to_owned(),
                 _ => format!(", or up to {most} control values of a Bézier curve"),
             };

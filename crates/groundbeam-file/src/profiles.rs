@@ -63,8 +63,8 @@ pub fn rail_sections() -> &'static [RolledSection] {
     &RAIL_SECTIONS
 }
 
-/// Finds the section with this name. If there is no match, returns a hint with the key of the rail of this
-/// name, or with the three most similar names.
+/// Finds the section with this name. If a rail has this name, returns a hint that shows how to select the rail. If
+/// nothing has this name, returns a hint with the three most similar names.
 pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
     named(&SECTIONS, name).ok_or_else(|| {
         if let Some(rail) = named(&RAIL_SECTIONS, name) {

@@ -52,7 +52,7 @@ pub(crate) struct Reader<'s> {
     pub places: Places,
     /// Whether numbers without a unit are in SI units and may be mixed with numbers with units.
     pub bare_is_si: bool,
-    /// Whether the file seems to have no units. The hints depend on this flag.
+    /// Whether the file seems to have no units. The hints in error messages depend on this flag.
     plain: bool,
     /// Known keys that the file probably misspells, each with the byte position of its table.
     meant: Vec<(usize, String)>,
@@ -296,7 +296,7 @@ impl<'s> Reader<'s> {
         self.quantity_of(section, key, section.key(key).kind())
     }
 
-    /// Reads a quantity, if given, whose kind depends on another key.
+    /// Reads an optional quantity whose kind depends on another key.
     pub fn quantity_of(
         &mut self,
         section: &Section,
@@ -315,7 +315,7 @@ impl<'s> Reader<'s> {
         self.required_of(section, key, section.key(key).kind())
     }
 
-    /// Reads a required quantity, whose kind depends on another key.
+    /// Reads a required quantity whose kind depends on another key.
     pub fn required_of(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Field {
         self.quantity_of(section, key, kind).unwrap_or_else(|| {
             let row = section.key(key);
@@ -421,7 +421,7 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// Extends a fault to the whole value at `span`.
+/// Extends the range that a fault marks to the whole value at `span`.
 fn over(span: &Range<usize>, fault: Fault) -> Fault {
     Fault { at: span.clone(), ..fault }
 }

@@ -64,8 +64,7 @@ fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &str) -> Grou
         let start = boundary(shown, span.start.saturating_sub(mark));
         start..boundary(shown, span.end.saturating_sub(mark)).max(start)
     };
-    // The renderer searches all text that it receives. Therefore, it receives only the lines of the
-    // diagnostic.
+    // The run time of the renderer grows with the length of its text, so it receives only the lines of the diagnostic.
     let spans =
         || std::iter::once(&diagnostic.span).chain(diagnostic.related.iter().map(|r| &r.span));
     let first = spans().map(|span| inside(span).start).min().unwrap_or(0);

@@ -51,7 +51,7 @@ pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     }
 }
 
-/// Whether two parameters set the same number of a model, so that one of them would have no effect.
+/// Whether two parameters set the same value in the model, so that one of them would have no effect.
 pub fn set_the_same_number(a: Parameter, b: Parameter) -> bool {
     let includes = |whole, part| match (whole, part) {
         (Parameter::Value(a, Domain::Whole), Parameter::Value(b, _)) => a == b,
@@ -98,7 +98,7 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         }
         Parameter::Value(_, Domain::Whole) => {
             format!(
-                "the model defines this number by segments; `{name}_factor` multiplies it in all segments"
+                "the model gives several values of `{name}` along the beam; use `{name}_factor`, which multiplies all of them"
             )
         }
         Parameter::Load(..) => "the load has no such number".to_owned(),

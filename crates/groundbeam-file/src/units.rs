@@ -130,8 +130,8 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    /// Returns all quantities in the order of the text. In a file with units, a 0 without a unit is omitted,
-    /// because any other number in its place would need a unit.
+    /// Returns all quantities in the order of the text. In a file with units, a 0 without a unit is left out, because
+    /// it cannot be changed to another number without adding a unit.
     pub fn located(&self, units: UnitSystem) -> Vec<Quantity> {
         let fits = |seen: &&Seen| units == UnitSystem::Plain || !seen.is_bare_zero;
         let all = self.quantities.iter().filter(fits);

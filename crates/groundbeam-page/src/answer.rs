@@ -97,7 +97,7 @@ pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) ->
     reply(Read::of(model).and_then(|read| {
         let mut asked = asked.clone();
         if !read.document.trains.is_empty() && asked.first_axle.is_none() {
-            // The solve of all positions of all trains takes long, so the page first shows one train.
+            // Solving all positions of all trains takes a long time, so the page first shows one train.
             asked.train = asked.train.or(Some(Trains::One(0)));
         }
         seen(&read, &asked, host, |results| {

@@ -39,7 +39,7 @@ pub const SOLVE: &[&str] = &["combination", "train", "first_axle"];
 pub const FILE: &[&str] = &["combination", "train", "first_axle", "units", "digits"];
 /// Keys of a query for a calculation report.
 pub const REPORT: &[&str] = &["combination", "units", "digits"];
-/// Keys of a query for the view.
+/// Keys of a query for the data that the page shows.
 pub const VIEW: &[&str] = &["combination", "train", "first_axle", "units", "digits", "width"];
 
 /// Error of an invalid query, with the key and the value that are refused.
@@ -171,7 +171,7 @@ impl Asked {
         }
         let Some(at) = self.first_axle else { return Ok(()) };
         let Some(Trains::One(i)) = self.train else {
-            let allowed = "a position of the one train that `train` selects by its index";
+            let allowed = "left out unless `train` is the index of a train";
             return Err(WrongQuery::value("first_axle", &at.to_string(), allowed));
         };
         let [from, to] = file.trains[i].range;

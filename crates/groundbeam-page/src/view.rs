@@ -46,14 +46,15 @@ struct Picture {
     handles: Vec<Held>,
 }
 
-/// A handle of the picture, with the indices of the numbers of the model file that the handle changes.
+/// A handle of the picture, which the user drags to change numbers of the model file. The fields `position` and `size`
+/// are the indices of these numbers.
 #[derive(Debug, Serialize)]
 struct Held {
     name: String,
     x: f64,
     y: f64,
     at: f64,
-    /// Smallest and largest position of the handle.
+    /// Smallest and largest position to which the user can drag the handle.
     range: [f64; 2],
     /// Index of the number that gives the position of the handle. The index refers to the list of all numbers of the
     /// model file.
@@ -106,7 +107,7 @@ impl View {
     }
 }
 
-/// Returns the verdict as a sentence, and the rows beside the picture.
+/// Returns the verdict as a sentence, and the rows of the table beside the picture, each with a label and a text.
 fn said(results: &Results) -> (String, Vec<(String, String)>) {
     let (answers, context) = (results.answers(), results.context());
     if let Some(one) = results.one() {
@@ -127,9 +128,9 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
     let passages = answers.passages();
     if !passages.all.is_empty() {
         let said = match passages.overall() {
-            Overall::NoEquilibrium => "at some positions there is no equilibrium",
-            Overall::NotConverged => "the result at some positions could not be certified",
-            Overall::Solved => "the beam is in equilibrium at every position",
+            Overall::NoEquilibrium => "at some train positions there is no equilibrium",
+            Overall::NotConverged => "the result at some train positions could not be certified",
+            Overall::Solved => "the beam is in equilibrium at every train position",
         };
         let row = |passage: &Passage| {
             let count = passage.solved().count();

@@ -194,8 +194,8 @@ mod tests {
         started.elapsed().as_secs_f64()
     }
 
-    /// With 16 times as many loads, the time grows about 16 times; quadratic growth would give 256 times. The
-    /// shortest of several runs is used, because other programs may interrupt a run.
+    /// With 16 times as many loads, finding the numbers takes about 16 times as long; with quadratic growth, it would
+    /// take 256 times as long. The shortest of several runs is used, because other programs may interrupt a run.
     #[test]
     fn the_time_is_proportional_to_the_number_of_loads() {
         let mut least = [f64::INFINITY; 2];

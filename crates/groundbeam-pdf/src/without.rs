@@ -1,4 +1,4 @@
-//! Replaces the typesetter in builds without it by a function that returns an error.
+//! Returns an error in place of a PDF, in builds without the typesetter.
 
 use crate::{Error, NOT_BUILT_IN};
 use groundbeam_report::calculation::{Paper, Report};

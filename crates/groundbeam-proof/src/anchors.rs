@@ -19,7 +19,7 @@ pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
 }
 
-/// A position with a bound of the error of the deflection or of the rotation.
+/// A position at which an error bound of the deflection or of the rotation is known.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
     /// Interval that contains the position of the anchor.
@@ -27,12 +27,12 @@ struct Anchor {
     bound: Size,
 }
 
-/// Positions on one part of the beam at which the error of the deflection or of the rotation is bounded.
+/// Positions on one part of the beam at which an error bound of the deflection or of the rotation is known.
 #[derive(Debug, Clone, Default)]
 struct Anchors {
-    /// Positions with a bound of the error of the deflection.
+    /// Positions with a known error bound of the deflection.
     places: Vec<Anchor>,
-    /// Positions with a bound of the error of the rotation: clamps and rotational springs.
+    /// Positions with a known error bound of the rotation: clamps and rotational springs.
     slopes: Vec<Anchor>,
 }
 
@@ -42,7 +42,7 @@ impl Anchors {
     }
 }
 
-/// A part of the beam without free hinges inside.
+/// A part of the beam that has no hinges in its interior, except hinges with a rotational spring.
 struct Part {
     pieces: Range<usize>,
     /// Bound of the sum of the absolute jumps of the rotation error at the elastic hinges inside the part.
@@ -73,9 +73,10 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts
     }
 
-    /// Returns bounds of two L² norms on a part. The first norm is that of the derivative of the rotation error, and
-    /// the second norm is that of the error of the shear strain. They follow from the bound of the error energy and
-    /// from the smallest bending and shear stiffness. The second bound is zero if the part has no shear deformation.
+    /// Returns upper bounds of two L² norms over a part of the beam: that of the derivative of the rotation error, and
+    /// that of the shear strain error. The bounds follow from the bound of the error energy, the smallest bending
+    /// stiffness and the smallest shear stiffness of the part. The second bound is zero if the part has no shear
+    /// deformation.
     pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
         let most = |of: &dyn Fn(&Span<S>) -> Option<&Coefficient<S>>| {
@@ -210,10 +211,10 @@ impl<S: Scalar> Pointwise<'_, S> {
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
-    /// Returns a bound of the error of the deflection at a one-way support that exerts a force. At a rigid support,
-    /// the reaction after the correction for exact equilibrium, multiplied by this error, is at most the bound of the
-    /// error energy. A spring whose claimed force is large enough also exerts a force in the exact solution. Half its
-    /// stiffness, multiplied by the square of this error, is then at most the bound of the error energy.
+    /// Returns a bound of the absolute deflection error |e| at a one-way support that exerts a force on the beam. E is
+    /// the bound of the error energy. At a rigid support, R|e| ≤ E, where R is the reaction after its correction for
+    /// exact equilibrium. At a spring of stiffness κ, κe²/2 ≤ E. This requires a claimed spring force so large that the
+    /// spring also acts in the exact solution.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {
@@ -251,7 +252,8 @@ impl<S: Scalar> Pointwise<'_, S> {
             if !(least > 0.0) {
                 continue;
             }
-            // Length of the middle part |t| ≤ `part` of the piece, rounded down.
+            // Length of the middle part of the piece, rounded down. `part` is this length divided by the length of the
+            // piece.
             let length = (2.0 * part * span.half.low()).next_down();
             let ends = [-part, part].map(|t| span.middle + span.half * S::of(t));
             let half = Size::of((part * span.half.high()).next_up());
@@ -291,8 +293,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
-    /// Returns a bound of the error of the deflection on a part. It is the largest of the bounds between neighbouring
-    /// anchors ([`between`]) and on the overhangs beyond the outermost anchors.
+    /// Returns a bound of the deflection error on a part of the beam. It follows from anchors, which are positions with
+    /// a known error bound. The result is the largest of the bounds between neighbouring anchors ([`between`]) and on
+    /// the overhangs beyond the outermost anchors.
     ///
     /// The bound on an overhang follows from two anchors ([`beyond`]), or from one anchor and a bound of the rotation
     /// error ([`along_slope`]). Jumps of the rotation error at elastic hinges increase the bounds. The increase is the
@@ -342,10 +345,12 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Returns a bound of the error of the deflection on an interval from the bound `mean` of its mean absolute value.
+/// Returns a bound of the deflection error on an interval. `mean` is a bound of the mean absolute error on this
+/// interval.
 ///
-/// The error differs from its tangent at the midpoint of the interval by at most `curved`/√3 + `slid`. The term with
-/// `curved` bounds the effect of the curvature error, and `slid` bounds the effect of the shear strain error. The
+/// The deflection error differs from its tangent at the midpoint of the interval by at most `curved`/√3 + `slid`. Here
+/// `curved` = s a^(3/2) and `slid` = s_γ √a, where a is half the length of the interval. The numbers s and s_γ bound
+/// the L² norms of the errors of curvature and shear strain. The factor 1/√3 comes from Cauchy's inequality. The
 /// absolute value of a linear function is at most 1 + √2 times its mean absolute value.
 pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
     let mean = mean + 0.2310 * curved + 0.6667 * slid;
@@ -376,8 +381,8 @@ pub(crate) fn beyond(
 }
 
 /// Returns a bound of the change of the deflection error along an interval of length `over`. `slope` bounds the
-/// rotation error at a position that is at most `distance` away from the start of the interval. `s` and `sheared` bound
-/// the norms of the errors of curvature and shear strain ([`Pointwise::flexure`]).
+/// rotation error at a position whose distance from the start of the interval is at most `distance`. `s` bounds the
+/// norm of the curvature error, and `sheared` bounds the norm of the shear strain error ([`Pointwise::flexure`]).
 pub(crate) fn along_slope(
     [slope, distance]: [Size; 2],
     over: Size,

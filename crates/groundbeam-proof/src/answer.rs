@@ -3,8 +3,8 @@
 /// The claimed solution to be proven, as given by a program or a document. Its numbers are exact doubles.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answer {
-    /// Pieces from left to right, which cover the beam. Each piece begins with the double at which the previous piece
-    /// ends.
+    /// Pieces from left to right, which cover the beam. The left end of each piece is exactly equal to the right end of
+    /// the previous piece.
     pub pieces: Vec<Piece>,
     /// Concentrated contact forces, including those under the ends of the beam.
     pub forces: Vec<Force>,
@@ -12,28 +12,32 @@ pub struct Answer {
     pub reactions: Vec<Reaction>,
 }
 
-/// A part of the beam from x₀ to x₁ on which the deflection is a polynomial of t = (x − (x₀ + x₁)/2)/`half`.
+/// A part of the beam from x₀ to x₁, on which the deflection is a polynomial in t = (x − (x₀ + x₁)/2)/`half`. Here x is
+/// the position along the beam, and `half` is half the length of the part.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Piece {
-    /// Left and right end \[m\].
+    /// Positions x₀ and x₁ of the left and the right end of the piece \[m\].
     pub x: [f64; 2],
     /// Half length \[m\] of the piece, which scales the local coordinate t = (x − (x₀ + x₁)/2)/`half`. It can differ
     /// from (x₁ − x₀)/2 by rounding error.
     pub half: f64,
     /// Whether beam and ground are in contact on the piece.
     pub touches: bool,
-    /// Coefficients of the deflection w(t) \[m\], the constant coefficient first.
+    /// Coefficients of the deflection w \[m\] as a polynomial in the local coordinate t, the constant coefficient
+    /// first.
     pub deflection: Vec<f64>,
-    /// Coefficients of the rotation φ(t) of the cross-sections \[rad\]. The list is empty on a piece without shear
-    /// deformation, where φ = w′.
+    /// Coefficients of the rotation φ of the cross-sections \[rad\] as a polynomial in the local coordinate t, the
+    /// constant coefficient first. The list is empty on a piece without shear deformation, where φ is the slope of the
+    /// deflection.
     pub rotation: Vec<f64>,
-    /// Coefficients of the contact pressure \[N/m\] as a polynomial of the local coordinate t, the constant coefficient
+    /// Coefficients of the contact pressure \[N/m\] as a polynomial in the local coordinate t, the constant coefficient
     /// first; empty if the pressure is not stored.
     pub pressure: Vec<f64>,
     /// Displacement u of the ground at both ends of a piece without contact \[m\]; `None` if it is not stored.
     pub open: Option<[f64; 2]>,
-    /// Coefficients of the ground displacement u \[m\] as a polynomial of the local coordinate t, the constant
-    /// coefficient first. They belong to a piece without contact where k or μ varies; empty if they are not stored.
+    /// Coefficients of the ground displacement u \[m\] as a polynomial in the local coordinate t, the constant
+    /// coefficient first. Only a piece without contact on which k or μ varies can have these coefficients. On other
+    /// pieces, the list is empty.
     pub settlement: Vec<f64>,
 }
 

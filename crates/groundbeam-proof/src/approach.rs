@@ -1,4 +1,4 @@
-//! Proves a positive exact clearance on pieces where the claimed solution has no contact and the ground has a shear layer.
+//! Proves that pieces without claimed contact have no contact in the exact solution, on ground with a shear layer.
 
 use crate::clearance::OpenPiece;
 use crate::contact_set::{Contact, Zone, more};
@@ -10,11 +10,12 @@ use crate::size::Size;
 /// towards a node.
 const INTERVALS: [usize; 2] = [4002, 122];
 
-/// Proven bounds at an end of a piece without contact, if beam and ground touch at this end in the claimed solution.
+/// Proven bounds for one end of a piece whose interior has no contact in the claimed solution. At this end, beam and
+/// ground touch in the claimed solution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Approach {
-    /// Distance θ from that end of the piece at which beam and ground touch. At larger distances, the exact solution
-    /// has no contact on the piece.
+    /// Beam and ground touch at one end of the piece in the claimed solution. In the exact solution, the piece has no
+    /// contact at distances greater than θ from this end.
     pub theta: Size,
     /// Error bound of the force μu′ in the shear layer at that end of the piece at which beam and ground touch; u is
     /// the ground displacement. The bound is valid if the exact solution has no contact on the piece.
@@ -28,8 +29,9 @@ pub(crate) struct Approach {
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves that beam and ground do not touch on an open piece in the exact solution. Returns the [`Approach`] at
-    /// each end of the piece at which they touch in the claimed solution (touching end).
+    /// Proves that a piece without contact in the claimed solution has no contact in the exact solution. Returns an
+    /// [`Approach`] for each touching end of the piece. A touching end is an end at which beam and ground touch in the
+    /// claimed solution.
     ///
     /// In the middle of the piece, the clearance must exceed the sum of the error bounds of deflection and ground
     /// displacement. Near a touching end, the clearance must decrease towards the end, and the magnitude of its slope
@@ -69,7 +71,8 @@ impl<S: Scalar> Contact<'_, S> {
         Some(OpenPiece::of(span, open, along, [Size::ZERO; 3]))
     }
 
-    /// Returns the [`Approach`] at the touching end `side` of a piece, if it can be proven.
+    /// Returns the [`Approach`] for the end `side` of a piece; `None` if its bounds cannot be proven. Beam and ground
+    /// touch at this end in the claimed solution.
     fn approach(
         &self,
         piece: &OpenPiece<S::Coarse>,
@@ -137,11 +140,12 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// Returns a distance θ from the node. From `reach` to the distance θ, the clearance C decreases faster than
-    /// `limit` towards the node. Small distances are tried first.
+    /// Returns a distance θ from the node at the end `side` of the piece. Between `reach` and the distance θ from the
+    /// node, the clearance C decreases towards the node faster than `limit`. Small distances are tried first.
     ///
-    /// A positive θ requires two conditions. The node is smooth, that is, without hinge, corner of g₀, force on the
-    /// ground or jump of μ or S. The term (μC′)′ exceeds its error bound at all distances from the node up to θ.
+    /// A positive θ requires two conditions. The node is smooth, that is, without hinge, corner of the initial gap g₀,
+    /// force on the ground, or jump of the shear layer stiffness μ or of the shear stiffness S of the beam. The term
+    /// (μC′)′ exceeds its error bound at all distances from the node up to θ.
     fn theta(
         &self,
         i: usize,
@@ -215,7 +219,7 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
         if fall(piece, side, near).high() < -gained.value() {
             continue;
         }
-        // Halving the interval cannot help if the clearance does not decrease faster than `limit` at the end `near`.
+        // Halving the interval helps the proof only if the clearance decreases faster than `limit` at the end `near`.
         if !(fall(piece, side, near).high() < -limit.value()) {
             return false;
         }

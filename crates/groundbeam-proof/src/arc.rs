@@ -54,8 +54,8 @@ impl<C: Scalar> Arc<C> {
         let two = C::of(2.0);
         let [difference, left] = [self.ends[1] - self.ends[0], self.ends[0]];
         let a = self.decay * x;
-        // The quotients sinh a/sinh z and cosh a/sinh z with a = bx are computed by exponentials of negative
-        // arguments.
+        // The quotients sinh a/sinh z and cosh a/sinh z are computed from exponentials of negative arguments. Here b =
+        // √(k/μ), a = bx and z = bh, with the distance x from the left end and the length h of the piece.
         let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
         let sinh = (fallen * double).div(self.divisors[0]);
         let cosh = -(fallen * (double + two)).div(self.divisors[0]);

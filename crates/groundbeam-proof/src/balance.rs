@@ -32,8 +32,9 @@ pub(crate) struct Balance<'a, S> {
     pub residual: &'a Residual<S>,
     /// Indices of the nodes at which the beam is cut, including the first and the last node.
     pub cuts: Vec<usize>,
-    /// Factor B of the additional transverse force Bλ′ that the axial tension carries; 0 if the tension carries no such
-    /// force. λ is the relative correction of the contact pressure, and λ′ its slope.
+    /// Factor B in the equation β = Bλ′. β is the transverse force that the proof adds to the transverse force Pw′ of
+    /// the axial tension P, and λ′ is the slope of the relative correction λ of the contact pressure. If B = 0, no
+    /// force is added.
     pub carrier: f64,
 }
 
@@ -43,8 +44,9 @@ pub(crate) struct Balance<'a, S> {
 pub(crate) struct Balanced<S> {
     /// Indices of the nodes at which the beam is cut.
     pub cuts: Vec<usize>,
-    /// Factor B of the additional transverse force Bλ′ that the axial tension carries; 0 if the tension carries no such
-    /// force. λ is the relative correction of the contact pressure, and λ′ its slope.
+    /// Factor B in the equation β = Bλ′. β is the transverse force that the proof adds to the transverse force Pw′ of
+    /// the axial tension P, and λ′ is the slope of the relative correction λ of the contact pressure. If B = 0, no
+    /// force is added.
     pub carrier: f64,
     /// Relative correction λ at each node. Contact pressures and contact forces are multiplied by 1 + λ.
     pub factors: Vec<S>,
@@ -57,13 +59,16 @@ pub(crate) struct BalancedPiece<S> {
     /// Absolute slope |λ′| in the cell that contains the piece, where λ is the relative correction of the contact
     /// pressure.
     pub steepness: Size,
-    /// Correction of the claimed moment at both ends of the piece, without the effect of the redistributed forces.
+    /// Correction of the claimed moment at both ends of the piece. It does not include the moment that the
+    /// corrections of contact pressures and reactions cause.
     pub moments: [S; 2],
-    /// Correction of the claimed shear force at both ends of the piece, without the effect of the redistributed forces.
+    /// Correction of the claimed shear force at both ends of the piece. It does not include the shear force that the
+    /// corrections of contact pressures and reactions cause.
     pub shears: [S; 2],
-    /// Bounds of the moment and of the shear force that the redistribution of forces causes in the cell.
+    /// Bounds of the moment and of the shear force that the corrections of contact pressures and reactions cause in
+    /// the cell.
     pub added: [Size; 2],
-    /// Absolute value of the transverse force that the axial tension carries.
+    /// Absolute value of the transverse force that the proof adds to the transverse force of the axial tension.
     pub drawn: Size,
 }
 
@@ -106,8 +111,8 @@ impl<S: Scalar> System<S> {
     fn solved(mut self) -> Option<Vec<S>> {
         let rows = &mut self.rows;
         if rows.iter().all(|row| row.right == S::zero()) {
-            // No residual force acts at the nodes that divide the beam into cells, so the relative correction of
-            // the contact pressure is zero at all these nodes.
+            // No residual force acts at the nodes that divide the beam into cells, so the contact pressure needs no
+            // correction. All unknowns of the system are zero.
             return Some(rows.iter().map(|row| row.right).collect());
         }
         for j in 0..rows.len() {
@@ -256,8 +261,9 @@ impl<S: Scalar> Balance<'_, S> {
     }
 
     /// Adds the terms of a cell to the equilibrium equations: contact pressures, forces at inner nodes, moments of
-    /// clamps and rotational springs, and axial tension. Tensile pressures are omitted, so the coefficients, which are
-    /// intervals, are widened by the resultant of the tensile pressures.
+    /// clamps and rotational springs, and axial tension. The coefficients are intervals. They are computed with the
+    /// claimed pressure and then widened by the resultant of its tensile part, so that they also enclose the
+    /// coefficients without tensile pressure.
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
@@ -282,7 +288,8 @@ impl<S: Scalar> Balance<'_, S> {
                 [(cell.ends[1] - span.middle) * per_length, -slope],
                 [(span.middle - cell.ends[0]) * per_length, slope],
             ];
-            // The closure `mass` integrates the pressure times the linear functions a + bt and c + dt over the piece.
+            // The closure `mass` computes the integral of p(a + bt)(c + dt) over the piece, where p is the pressure
+            // and t is the local coordinate of the piece.
             let [whole, turned, spread] = self.pressures[i].masses;
             let mass = |[a, b]: [S; 2], [c, d]: [S; 2]| {
                 a * c * whole + (a * d + b * c) * turned + b * d * spread
@@ -299,10 +306,10 @@ impl<S: Scalar> Balance<'_, S> {
         system.rows[j].beside = system.rows[j].beside.widened(tensile.value());
     }
 
-    /// Computes λ, the relative correction of the contact pressure, along a cell. Also computes bounds of the moment
-    /// and shear force that the corrected pressures and reactions cause in the cell. On a simply supported cell of
-    /// length h, a load F causes a moment of at most Fh/4 and a shear force of at most F. A couple C causes a moment of
-    /// at most C and a shear force of at most C/h.
+    /// Computes λ, the relative correction of the contact pressure, along a cell. Also bounds the moment and the
+    /// shear force that the corrections of pressures and reactions cause in the cell. In a simply supported cell of
+    /// length h, a load F causes a moment of at most Fh/4 and a shear force of at most F. A couple C causes a moment
+    /// of at most C and a shear force of at most C/h.
     fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
         let per_length = S::one().div(cell.length);
         let slope = (ends[1] - ends[0]) * per_length;
@@ -351,8 +358,8 @@ mod tests {
     use serde_json::json;
 
     /// The claimed pressure x − 0.1 balances the load, but it is tensile for x < 0.1. The proof sets the tensile
-    /// pressure to zero, so its resultant 0.005 remains as an additional load of the beam. The proof balances this load
-    /// by a correction of the compressive pressure, which is also a load of the beam.
+    /// part, which has the resultant 0.005, to zero. Then it corrects the compressive part to restore equilibrium.
+    /// Checks that the bounds of the additional moment and shear force contain the changes of both parts.
     #[test]
     fn omitted_tension_is_a_load_of_the_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = [-0.1, 1.9]\n";
@@ -380,7 +387,8 @@ mod tests {
         });
     }
 
-    /// The factor is the solution of the system at the cuts, and linear between them: ⅔·⅓ + ⅓·⅐ at a third of the cell.
+    /// The relative correction λ of the contact pressure is linear in a cell. If λ is ⅓ at the left end and ⅐ at the
+    /// right end of the cell, it is ⅔·⅓ + ⅓·⅐ at a third of the cell length.
     #[test]
     fn the_factor_is_exact_at_the_cuts_and_linear_between_them() {
         let text = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\n";

@@ -32,12 +32,14 @@ impl<S: Scalar> Balance<'_, S> {
     }
 
     /// Returns a bound of ‖Gδp‖_b², twice the energy of the ground displacement Gδp. G is the flexibility of the
-    /// ground, and δp = λp̄ is the correction of the pressure p̄ with |λ| ≤ γ.
+    /// ground, and δp = λp̄ is the correction of the pressure p̄. The relative correction λ is at most γ in magnitude
+    /// on a piece.
     ///
-    /// On Winkler ground, ‖Gδp‖_b² = ∫(δp)²/k. In a shear layer, a pressure causes only downward displacements, so the
-    /// bound is Σγ²∫p̄ Gp̄. The displacement Gp̄ is at most |w − g₀| + |c| + `missed` √g. Here c is the correction of
-    /// the deflection w, g bounds the ground displacement under a unit force, and `missed` bounds the norm of the
-    /// residual of the ground equation.
+    /// On Winkler ground with the subgrade modulus k, ‖Gδp‖_b² = ∫(δp)²/k. In a shear layer, each piece in contact
+    /// contributes γ²∫p̄ Gp̄ to the bound, by equation (8) of docs/proof.md. The displacement Gp̄ is at most
+    /// |w − g₀| + |c| + `missed` √g, where w is the claimed deflection, g₀ the initial gap, c the correction of w,
+    /// and g a bound of the ground displacement under a unit force. `missed` bounds the norm of the residual of the
+    /// ground equation.
     pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {

@@ -32,7 +32,7 @@ impl Ball {
         }
     }
 
-    /// Returns a bound of the rounding error and of the underflow error of the result `m` of an operation.
+    /// Returns a bound of the sum of rounding error and underflow error of an operation with the result `m`.
     fn rounding(m: f64) -> f64 {
         magnitude(m) * f64::EPSILON + f64::MIN_POSITIVE
     }
@@ -88,9 +88,9 @@ impl Scalar for Ball {
         if !(least > 0.0) {
             return Ball::ALL;
         }
-        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b. `size` is at least (1 + 12u) times
-        // the residual with u = 2⁻⁵³, which covers the rounding errors of the last line. The smallest normal number
-        // covers underflow of the quotient.
+        // q approximates the quotient a/b of `self` and `other`, with the error (a − qb)/b. `rest.size()` is at least
+        // (1 + 12u) times the residual |a − qb|, where u = 2⁻⁵³. The term 12u covers the rounding errors of the
+        // radius of the result. The smallest normal number covers an underflow of `rest.size() / least`.
         let q = self.m / other.m;
         let rest = self - Ball::new(q, 0.0) * other;
         Ball::new(q, rest.size() / least + f64::MIN_POSITIVE)
@@ -103,9 +103,10 @@ impl Scalar for Ball {
         if !(self.low() >= 0.0) {
             return Ball::ALL;
         }
-        // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0. `size` is at least
-        // (1 + 12u) times the residual with u = 2⁻⁵³. The radius of the residual is at least εq², so the quotient does
-        // not underflow.
+        // q approximates the root √a of `self`. The error |√a − q| = |a − q²|/(√a + q) is at most |a − q²|/q.
+        // `rest.size()` is at least (1 + 12u) times the residual |a − q²|, where u = 2⁻⁵³. The term 12u covers the
+        // rounding error of the radius of the result. The radius of `rest` is at least εq², where ε is the machine
+        // epsilon, so `rest.size() / q` does not underflow.
         let q = self.m.sqrt();
         let root = Ball::new(q, 0.0);
         let rest = self - root * root;

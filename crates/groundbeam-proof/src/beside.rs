@@ -9,7 +9,7 @@ pub(crate) struct LoadedStretch<S> {
     pub ground: [S; 2],
     /// Distributed load q at the two ends of the stretch, first at the end nearer to the beam.
     pub spread: [S; 2],
-    /// Point force at the end of the stretch that is farther from the beam.
+    /// Point force at the outer end of the stretch, which is the end farther from the beam.
     pub force: S,
 }
 
@@ -22,7 +22,7 @@ pub(crate) struct Row<S> {
 }
 
 impl<S> Row<S> {
-    /// Returns an empty list of stretches, for an end of the beam without ground outside.
+    /// Returns an empty list of ground stretches, for an end of the beam without a shear layer outside the beam.
     pub fn none() -> Self {
         Row { stretches: Vec::new(), held: false }
     }

@@ -14,7 +14,7 @@ pub struct Bound {
 }
 
 impl Bound {
-    /// Whether the error is at most 10⁻⁶ of its scale.
+    /// Whether the bound `error` is at most 10⁻⁶ times `scale`, the reference value of the quantity.
     pub fn is_small(self) -> bool {
         self.error <= SMALL * self.scale
     }
@@ -25,7 +25,7 @@ impl Bound {
 pub struct Bounds {
     /// Error bound of the deflection w \[m\].
     pub deflection: Bound,
-    /// Error bound of the slope w′ \[rad\], also on both sides of hinges.
+    /// Error bound of the slope w′ \[rad\]. At a hinge, the bound holds for the slope on each side of the hinge.
     pub slope: Bound,
     /// Error bound of the rotation of the cross-sections \[rad\].
     pub rotation: Bound,

@@ -1,23 +1,25 @@
-//! Bounds the penetration of beam and open ground, and the energy of the surface correction that removes the penetration.
+//! Bounds the penetration of the beam into ground out of contact, and the energy of the surface correction that removes it.
 //!
-//! C̄ = ū + g₀ − w̄ is the clearance between the ground surface ū and the deflection w̄ that are constructed from
-//! the answer. A negative clearance is a penetration.
+//! C̄ = ū + g₀ − w̄ is the clearance between beam and ground. The ground displacement ū and the deflection w̄ are
+//! constructed from the answer, and g₀ is the initial gap. A negative clearance is a penetration.
 //!
-//! Each end of an open stretch of a layer is a touching node or an end of the layer. At touching nodes C̄ = 0 by
-//! construction. Let x be the distance from a touching node. For x ≤ d, the penetration is at most τx with a slope
-//! τ. Elsewhere it is at most `deepest`. The correction lowers the ground by v = D min(x/d, 1) with D = max(τd,
-//! `deepest`). v is zero at every touching node, so the pressures do no work on v. The energy of v satisfies
+//! On a shear layer, a stretch is a run of pieces out of contact. Each of its ends is a touching node, at which the
+//! beam touches the ground, or an end of the layer. At touching nodes C̄ = 0 by construction. Let x be the distance
+//! from a touching node. For x ≤ d, the penetration is at most τx with a slope τ. Elsewhere it is at most `deepest`.
+//! The correction lowers the ground surface by v = D min(x/d, 1) with D = max(τd, `deepest`). v is zero at every
+//! touching node, so the contact pressures do no work on v. The energy of v satisfies
 //!
 //! ```text
 //! ‖v‖_b² ≤ D²(Σ kh + Σ μ/d + Σ K).
 //! ```
 //!
-//! The sums extend over the pieces of length h of the stretch, over its touching ends, and over the ends of the
-//! beam that the stretch reaches without contact. K is the stiffness of the ground outside an end of the beam.
+//! The sums extend over the pieces of length h of the stretch, over its touching nodes, and over the ends of the beam
+//! that the stretch reaches without contact. k is the subgrade modulus, μ the stiffness of the shear layer, and K the
+//! stiffness of the ground outside an end of the beam.
 //!
-//! On Winkler ground, the correction lowers the surface to max(w̄ − g₀, q/k). The norm of this correction is at
-//! most (Σ kη²ω)^½. η bounds the penetration w̄ − g₀ − q/k on an open piece, and ω is the length on which the
-//! penetration is positive.
+//! On Winkler ground, the correction lowers the surface to max(w̄ − g₀, q/k), where q is the load on the ground. The
+//! norm of this correction is at most (Σ kη²ω)^½, summed over the pieces out of contact. η bounds the penetration
+//! w̄ − g₀ − q/k on a piece, and ω is the length on which the penetration is positive.
 
 use crate::arc::Arc;
 use crate::deflection::Deflection;
@@ -27,18 +29,19 @@ use crate::polynomial::{Below, Budget, Polynomial, below, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The distances by which open ground is lowered to remove the penetration, and the norms of these corrections.
+/// The distances by which ground out of contact is lowered to remove the penetration, and the norms of these
+/// corrections.
 #[derive(Debug)]
 pub(crate) struct Clearance {
     /// Norm (Σ‖v‖_b²)^½ of the corrections v that lower the surface of shear layers without contact, where ‖v‖_b² =
     /// ∫(kv² + μv′²) is twice the energy of the ground. The energies of separate stretches can be summed, because v is
     /// zero at every touching node.
     pub lifted: Size,
-    /// Norm (Σ kη²ω)^½ of the corrections that lower the surface of Winkler ground to remove penetrations on
-    /// pieces out of contact. Here k is the subgrade modulus, and the beam penetrates the uncorrected surface
-    /// by at most η on the length ω.
+    /// Bound of the norm of the corrections that lower the surface of Winkler ground to remove penetrations. The
+    /// bound is (Σ kη²ω)^½, summed over the pieces out of contact. k is the subgrade modulus, η bounds the
+    /// penetration on a piece, and ω bounds the length on which the beam penetrates the ground.
     pub risen: Size,
-    /// The largest distance by which the correction lowers the ground of each piece.
+    /// For each piece, an upper bound of the distance by which the correction lowers the ground surface.
     pub raised: Vec<Size>,
 }
 
@@ -81,8 +84,8 @@ pub(crate) fn clearance<S: Scalar>(
     found
 }
 
-/// Bounds the depth and the length of the penetration w̄ − g₀ − q/k on an open piece of Winkler ground. w̄ is the
-/// constructed deflection, g₀ the initial gap, and q the load on the ground.
+/// Bounds the depth and the length of the penetration w̄ − g₀ − q/k on a piece out of contact on Winkler ground. w̄
+/// is the constructed deflection, g₀ the initial gap, q the load on the ground, and k the subgrade modulus.
 fn above_springs<S: Scalar>(
     span: &Span<S>,
     closed: Size,
@@ -93,16 +96,17 @@ fn above_springs<S: Scalar>(
         let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
-    // If k varies, the quotient of the load q on the ground and k is not a polynomial. The polynomial q − k(w̄ − g₀)
-    // is used instead, with the constructed deflection w̄ and the initial gap g₀. It is negative exactly where the
-    // beam penetrates the ground.
+    // If k varies, the clearance q/k + g₀ − w is not a polynomial. The polynomial q − k(w − g₀), which is k times the
+    // clearance, is used instead. q is the load on the ground, k the subgrade modulus, g₀ the initial gap, and w the
+    // claimed deflection.
     let stiff = Size::of(span.spring.high());
     let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
     Below { depth: found.depth.over(span.spring.low()), ..found }
 }
 
-/// Consecutive open pieces of a layer. Each end of the stretch is a touching node or an end of the layer.
+/// Consecutive pieces out of contact on a shear layer. Each end of the stretch is a node at which the beam touches
+/// the ground, or an end of the layer.
 struct Stretch<'a, S> {
     frame: &'a Frame<S>,
     deflection: &'a Deflection<S>,
@@ -112,13 +116,13 @@ struct Stretch<'a, S> {
     negligible: Size,
 }
 
-/// Neighbourhood of a touching node. At the distance x from the node, the penetration is proven to be at most τx,
-/// with a constant slope τ.
+/// Neighbourhood of a touching node, at which the beam touches the ground. At the distance x from the node, the
+/// penetration is proven to be at most τx, with a constant slope τ.
 struct Ramp {
-    /// Local coordinate t at that end of the neighbourhood that is not the touching node.
+    /// Local coordinate t of the far end of an interval that begins at a node where the beam touches the ground.
     reach: f64,
-    /// Lower bound of the length d of the interval beside the touching node on which the penetration at the
-    /// distance x from the node is at most τx.
+    /// Lower bound of the length d of the neighbourhood of a touching node. At each distance x ≤ d from the node, the
+    /// penetration is at most τx, with a constant slope τ.
     distance: f64,
     /// Upper bound τd of the penetration in the neighbourhood of the touching node. d is the length of the
     /// neighbourhood, and the penetration at the distance x from the node is at most τx.
@@ -126,10 +130,11 @@ struct Ramp {
 }
 
 impl<S: Scalar> Stretch<'_, S> {
-    /// Returns D and ‖v‖_b.
+    /// Returns D, the largest distance by which the correction v lowers the ground surface, and a bound of the norm
+    /// ‖v‖_b.
     fn lift(&self, budget: &mut Budget) -> (Size, Size) {
         let mut deepest = Size::ZERO;
-        // Σ kh + Σ μ/d + K.
+        // The sum Σ kh + Σ μ/d + Σ K, which bounds ‖v‖_b²/D².
         let mut stiffness = Size::ZERO;
         let ends = [self.first, self.end];
         for i in self.first..self.end {
@@ -179,9 +184,9 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// A piece without contact on a shear layer, in numbers of low precision. Under a load q on the ground, v = u − q/k
-/// replaces the ground displacement u, and ψ − q/k replaces ψ = w − g₀. Here w is the deflection and g₀ the initial
-/// gap.
+/// A piece out of contact on a shear layer, in numbers of low precision. If a load q acts on the ground, u − q/k is
+/// stored in place of the ground displacement u, and ψ − q/k in place of the obstacle ψ = w − g₀. The clearance u − ψ
+/// is unchanged. k is the subgrade modulus, w the deflection, and g₀ the initial gap.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
     /// ψ = w − g₀ and its derivatives ψ′ and ψ″ with respect to x, as polynomials of the local coordinate t of the
@@ -225,9 +230,12 @@ impl<C: Scalar> OpenPiece<C> {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }
 
-    /// Returns a lower bound of C̄″ for |t − m| ≤ r, where C̄ = u − ψ − c is the clearance. The bound is computed from
-    /// C̄″ ≥ b²u − ψ″ − |c″|. Here u is the ground displacement, ψ = w − g₀ the obstacle, c the correction of the
-    /// deflection, and b² = k/μ. The tangent of u at m and the smallest value of u″ give a lower bound of u.
+    /// Returns a lower bound of the second derivative C̄″ = d²C̄/dx² of the clearance for |t − m| ≤ r, where t is the
+    /// local coordinate of the piece. `u` and `slope` are the ground displacement and its slope at t = m.
+    ///
+    /// C̄ = u − ψ − c with the ground displacement u, the obstacle ψ (deflection minus initial gap) and the
+    /// correction c of the deflection. So C̄″ is at least b²u − ψ″ − |c″|, where b² = k/μ. In this formula, u is
+    /// replaced by a lower bound of u for |t − m| ≤ r.
     pub fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
         let reach = C::of(r) * self.half;
         let least = self.arc.least();
@@ -241,18 +249,18 @@ impl<C: Scalar> OpenPiece<C> {
         (bent * C::of(least) - about.coefficient(0) - lost).low()
     }
 
-    /// Finds a length d and a slope τ such that the penetration is at most τx at each distance x ≤ d from the touching
-    /// end `side` of the piece. `slope` is the slope of the clearance at this end. If `alone` is true, the other end is
-    /// not a touching node, and the first trial for d is the length of the whole piece.
+    /// Finds a length d and a slope τ such that the penetration is at most τx at each distance x ≤ d from the end
+    /// `side` of the piece, where the beam touches the ground. `slope` is the slope of the clearance at this end. If
+    /// `alone` is true, the beam does not touch the ground at the other end of the piece, and d is at most the length
+    /// of the piece. Otherwise, d is at most half of this length.
     fn ramp<S: Scalar>(&self, side: usize, slope: S, alone: bool, budget: &mut Budget) -> Ramp {
         let slope = if side == 0 { slope } else { -slope };
         let steep = Size::below_zero(slope.low());
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // `blurred` is the rounding error of the clearance C̄. A bound τd of the penetration is accepted if it does not
-        // exceed this error. On a short piece, it is then smaller than a bound computed from values of C̄, which
-        // contain the rounding error.
+        // `blurred` is the rounding error of computed values of the clearance. If the bound of the penetration is at
+        // most `blurred`, it is accepted, because a bound from computed values of the clearance would be larger.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -271,8 +279,8 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // If the penetration at the far end of the neighbourhood is at least half of `depth`, a shorter
-            // neighbourhood would at most halve the bound of the penetration.
+            // If the penetration at `reach`, the far end of the interval, is at least half of its bound `depth`, the
+            // interval is not shortened. No bound of the penetration can be smaller than half of `depth`.
             let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
             let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
             if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {
@@ -282,7 +290,8 @@ impl<C: Scalar> OpenPiece<C> {
         }
     }
 
-    /// Returns an upper bound of the penetration, the negative clearance −C̄, on an interval of the local coordinate t.
+    /// Returns an upper bound of the penetration of the beam into the ground on an interval of the local coordinate
+    /// t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
         // A penetration smaller than the rounding error of the clearance C̄ is accepted. Without this tolerance, the
         // search at a double zero of C̄, for example beside a clamp, would use up the interval halvings that are
@@ -311,9 +320,9 @@ impl<C: Scalar> OpenPiece<C> {
             }
             let here = Size::below_zero(value.low());
             let depth = here + lost;
-            // The bound `depth` of the penetration is accepted if it is at most `deepest`, negligible, or below the
-            // rounding error of the clearance C̄. If halving the interval would reduce `depth` by little, `depth` is
-            // accepted too.
+            // `depth` is a bound of the penetration on the interval. It is accepted if it is at most `deepest`, the
+            // largest bound of the previous intervals, or if it is negligible or at most the rounding error of the
+            // clearance. It is also accepted if halving the interval would reduce it only slightly.
             let found = depth <= deepest || depth <= negligible || depth <= rounding;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);

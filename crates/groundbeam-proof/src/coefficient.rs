@@ -1,4 +1,4 @@
-//! A coefficient EI, S, k or μ of the equations on one piece: a constant, or a polynomial of t with bounds of its values.
+//! A coefficient EI, S, k or μ of the equations on one piece, as a constant or a polynomial, with bounds of its values.
 
 use crate::model::Course;
 use crate::polynomial::{Line, Polynomial};
@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 pub(crate) enum Coefficient<S> {
     /// Constant along the piece.
     Even(S),
-    /// A polynomial of t.
+    /// A polynomial in the local coordinate t of the piece.
     Varying(Box<Varying<S>>),
 }
 
@@ -24,10 +24,10 @@ pub(crate) struct Varying<S> {
 }
 
 impl<S: Scalar> Coefficient<S> {
-    /// Returns the coefficient on a piece that is a part of a segment. `course` is the coefficient on the whole
-    /// segment: a constant, or Bernstein coefficients of a polynomial in the position s on the segment, 0 ≤ s ≤ 1.
-    /// The piece extends from s = `ends[0]` to s = `ends[1]`, and `line` is s as a function of the local
-    /// coordinate t of the piece. `scaled` converts a value to the units of the proof.
+    /// Returns the coefficient EI, S, k or μ on a piece of a segment. `course` describes this coefficient on the
+    /// whole segment: a constant, or the Bernstein coefficients of a polynomial in s. The position s on the segment
+    /// runs from 0 to 1. The piece extends from s = `ends[0]` to s = `ends[1]`, and `line` is s as a function of the
+    /// local coordinate t of the piece. `scaled` converts a value to the units of the proof.
     pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),
@@ -132,7 +132,7 @@ fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     (0..=degree).map(control).collect()
 }
 
-/// Converts the polynomial with the Bernstein coefficients `values` on 0 ≤ s ≤ 1 to a polynomial of the local
+/// Converts the polynomial with the Bernstein coefficients `values` on 0 ≤ s ≤ 1 to a polynomial in the local
 /// coordinate t of a piece, by de Casteljau's algorithm. `line` gives s as a function of t.
 fn in_powers<S: Scalar>(values: &[S], line: &Line<S>) -> Polynomial<S> {
     let line = Polynomial::zero() + line;

@@ -1,4 +1,4 @@
-//! The axial compression N = −P, and a number σ: the work of N is at most 1 − σ times the strain energy of the beam.
+//! The axial compression N, and a number σ such that the work of N is at most (1 − σ) times the strain energy of the beam.
 
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -6,36 +6,39 @@ use crate::size::Size;
 /// An axial compression.
 #[derive(Debug)]
 pub(crate) struct Compression<S> {
-    /// N = −P.
+    /// Axial compression N = −P, where P is the axial force, positive in tension.
     pub force: S,
-    /// A number σ > 0: for every deflection, the work of the compression is at most 1 − σ times the strain
-    /// energy of the beam and its two-way supports.
+    /// A number σ > 0 such that, for every deflection, the work of the compression is at most (1 − σ) times the
+    /// strain energy of the beam and its two-way supports.
     pub margin: f64,
 }
 
 impl<S: Scalar> Compression<S> {
-    /// Returns N_c = ((1 − σ)N Σhc′²)^½, the bound of the residual of the axial force. σ is `margin` and N is
-    /// `force`. `turned` is Σhc′², where c′ is the slope of the correction of the deflection on a piece of length
-    /// h.
+    /// Returns N_c = ((1 − σ)N Σhc′²)^½, which bounds the residual of the axial force. N is the compression `force`.
+    /// σ is `margin`: the work of N is at most (1 − σ) times the strain energy of the beam. `turned` is the sum Σhc′²
+    /// over all pieces, with the length h of a piece and the slope c′ of the correction of the deflection.
     pub fn misfit(&self, turned: Size) -> Size {
         (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
     }
 
-    /// Returns the factor ((s₂ + N_c)² + s₂²)^½/√σ that multiplies the norm of a test function in error bounds of
-    /// a compressed beam. Here s₂ = √(2E) with the error energy E = `energy`, N_c = [`Compression::misfit`] bounds
-    /// the residual of the axial force, and σ is `margin`. For a beam without compression, s₂ is used in place of
-    /// this factor.
+    /// Returns the factor by which error bounds of a compressed beam multiply the energy norm of a test function. It is
+    /// ((s₂ + N_c)² + s₂²)^½/√σ, where s₂ = √(2E) with the error energy E = `energy`. N_c = [`Compression::misfit`]
+    /// bounds the residual of the axial force. σ is `margin`: the work of the compression is at most (1 − σ) times
+    /// the strain energy. Without compression, the factor is s₂.
     pub fn test_factor(&self, energy: Size, turned: Size) -> Size {
         let root = (2.0 * energy).root();
         let missed = root + self.misfit(turned);
         (missed.square() + root.square()).over(self.margin).root()
     }
 
-    /// Returns T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². On a beam with the axial compression N, T replaces the axial
-    /// tension P in the energy K² = K₁² + P∫z′² of a test function z, where K₁² is the energy without axial force.
-    /// σ is `margin`: the work of the compression is at most 1 − σ times the strain energy of the beam. Σhc′² is
-    /// `turned`, and s₂ = √(2E) with the error energy E = `energy`. With Z = ∫z′² and N_c =
-    /// [`Compression::misfit`], Cauchy's inequality gives
+    /// Returns an axial tension T for error bounds of a beam with the axial compression N. The energy of a test
+    /// function z on a beam with the axial tension P is K² = K₁² + P∫z′², where K₁² is the energy without axial
+    /// force. On the compressed beam, T replaces P.
+    ///
+    /// The result is T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². σ is `margin`: the work of N is at most (1 − σ) times the
+    /// strain energy of the beam. `turned` is the sum Σhc′² over all pieces, with the length h of a piece and the
+    /// slope c′ of the correction of the deflection. s₂ = √(2E) with the error energy E = `energy`. With Z = ∫z′² and
+    /// N_c = [`Compression::misfit`], Cauchy's inequality gives
     ///
     /// ```text
     /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + TZ)^½.

@@ -13,8 +13,8 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Length of the shortest part of a piece next to an end for which contact or clearance is decided. It is measured in
-/// the local coordinate t of the piece, which runs from about −1 to 1.
+/// Contact and clearance are proven on parts of a piece that begin at one of its ends. This is the length of the
+/// shortest part, in the local coordinate t of the piece, which runs from about −1 to 1.
 pub(crate) const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
@@ -46,8 +46,9 @@ impl<S: Scalar> Contact<'_, S> {
     /// contact, then the contact regions and the contact points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
-        // For each node, `beside` contains the proven bounds `Approach` on the piece on its left and on the piece on
-        // its right. They exist only if the piece is out of contact and the node is in contact.
+        // For each node, `beside` contains the bounds `Approach` that are proven for the piece on the left and for
+        // the piece on the right of the node. A piece has such bounds only if it is out of contact and the node is in
+        // contact.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         for i in (first..end).filter(|i| !spans[*i].touches) {
             let [left, right] = self.shown_open(i, &mut shown.zones).ok_or_else(|| {
@@ -95,7 +96,7 @@ impl<S: Scalar> Contact<'_, S> {
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
         if !(alone && self.fields.surface.nodes[node].jump.low() > tolerance.value()) {
             return Err(self.failed(
-                "at a contact point, the beam may be out of contact, or in contact over a short interval",
+                "at a claimed contact point, the exact solution may have no contact, or contact over a short interval",
                 node,
             ));
         }
@@ -140,11 +141,13 @@ impl<S: Scalar> Contact<'_, S> {
             }
             let pushes = self.fields.surface.nodes[node].jump.low() >= tolerance.value();
             if !pushes && !self.bends_open(node) {
-                return Err(self
-                    .failed("a concentrated force inside a contact region may be tensile", node));
+                return Err(self.failed(
+                    "a concentrated force inside a contact region is not proven to be compressive",
+                    node,
+                ));
             }
-            // The exact solution is in contact on both sides of an inner node, because the exact contact edge is nearer
-            // to the claimed edge than any inner node.
+            // The distance between the exact and the claimed end of the contact region is smaller than the distance
+            // between `node` and the claimed end. So the exact solution is in contact on both sides of `node`.
             self.force(node, tolerance, true, shown);
         }
         shown.set.regions.push(ContactRegion {
@@ -165,7 +168,7 @@ impl<S: Scalar> Contact<'_, S> {
     ) -> Result<EdgeShift, NotProven> {
         let approach = beside[node][side];
         let outside = approach.map_or(Size::ZERO, |approach| approach.theta);
-        // `i` is the piece of the contact region that ends at `node`.
+        // The claimed contact region ends at `node`, and the piece `i` is its last piece at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
         // On a beam with shear deformation, `opened_at` also bounds the length next to the claimed edge, inside the
@@ -190,7 +193,10 @@ impl<S: Scalar> Contact<'_, S> {
         most = most.least(balanced_inside(&field, error, missing, piece, side));
         match most < Size::INFINITE {
             true => Ok(EdgeShift { node, side, outside, inside: most, beyond }),
-            false => Err(self.failed("the position of a region's edge has no bound", node)),
+            false => {
+                Err(self
+                    .failed("no error bound is proven for the position of a contact edge", node))
+            }
         }
     }
 
@@ -220,12 +226,14 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the slope of the exact clearance C* = u* + g₀ − w* is proven to be at least as large on the right of a
-    /// node as on its left, if the exact solution is out of contact at the node. The initial gap g₀ must be straight at
-    /// the node, or its slope must increase there. The node must lie inside a shear layer and have no hinge, no point
-    /// force on the ground and no jump of a stiffness. On a beam with shear deformation, a downward point force F on
-    /// the beam increases the slope of C* by F/(S + P), with the shear stiffness S and the axial tension P. So F must
-    /// act downward, and the node must have no support.
+    /// Whether the following is proven for a node: if the exact solution is out of contact at the node, the slope of
+    /// the exact clearance C* = u* + g₀ − w* does not decrease from the left side of the node to its right side. u*
+    /// is the ground displacement, g₀ the initial gap, and w* the deflection.
+    ///
+    /// The node must lie inside a shear layer and have no hinge, no point force on the ground and no jump of a
+    /// stiffness. The slope of g₀ must not decrease at the node. On a beam with shear deformation, a downward point
+    /// force F on the beam increases the slope of C* by F/(S + P), with the shear stiffness S and the axial tension
+    /// P. So F must act downward, and the node must have no support.
     pub(crate) fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
@@ -252,10 +260,10 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Returns a length L, measured inward from an end of a piece, for which (p − ε)L is at least `missing`. Here p is the
-/// smallest pressure on this length, and ε = `error` is the error bound of the pressure. L is at most about half of the
-/// piece, and infinite if no such length is found. `end` is the local coordinate t of the end of the piece, and `half`
-/// is the length per unit of t.
+/// Returns a length L at an end of a piece on which the contact pressure balances the force `missing`: (p − ε)L is at
+/// least `missing`. Here p is the smallest pressure on this length, and ε = `error` is the error bound of the
+/// pressure. The search covers about half of the piece. If it finds no length, the result is infinite. `end` is the
+/// local coordinate t of the end of the piece, and `half` is the length per unit of t.
 fn balanced_inside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,
@@ -268,16 +276,18 @@ fn balanced_inside<C: Scalar>(
         .unwrap_or(Size::INFINITE)
 }
 
-/// Lengths of the parts of a piece next to one of its ends, in the local coordinate t of the piece: [`SHORTEST_PART`],
-/// then each four times the previous length, while below 1.
+/// Lengths of parts of a piece, in the local coordinate t of the piece. Each part begins at the same end of the
+/// piece. The first length is [`SHORTEST_PART`], each following length is four times the previous length, and all are
+/// below 1.
 pub(crate) fn growing_parts() -> impl Iterator<Item = f64> {
     std::iter::successors(Some(SHORTEST_PART), |part| Some(4.0 * part))
         .take_while(|part| *part < 1.0)
 }
 
-/// Tries several parts of a piece next to one of its ends. For each part, it computes the length `required(least)` from
-/// a lower bound `least` of the pressure minus its error bound on the part. Returns the first such length that is not
-/// longer than its part, or `None` if every part is too short.
+/// Tries several parts of a piece, which all begin at the same end of the piece. For each part, `least` is a lower
+/// bound of the claimed pressure minus its error bound, and `required(least)` is the length that the proof needs at
+/// this pressure. Returns the first required length that is not longer than its part, or `None` if every part is too
+/// short.
 pub(crate) fn balanced_on<C: Scalar>(
     mut parts: impl Iterator<Item = f64>,
     field: &Polynomial<C>,
@@ -293,8 +303,9 @@ pub(crate) fn balanced_on<C: Scalar>(
     })
 }
 
-/// Returns two lower bounds for a part of a piece next to one of its ends: of the pressure minus its error bound on the
-/// part, and of the length of the part. `part` is this length in the local coordinate t of the piece.
+/// Examines a part of a piece that begins at one of its ends. Returns a lower bound of the claimed pressure minus its
+/// error bound on this part, and a lower bound of the length of this part. `part` is the length of this part in the
+/// local coordinate t of the piece.
 fn pressed_beside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,

@@ -29,13 +29,13 @@ pub struct ContactRegion {
 /// A concentrated contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactForce {
-    /// Position of the force \[m\]. It is a node of the answer.
+    /// Position of the contact force \[m\], at an end of a piece of the claimed solution.
     pub x: f64,
     /// An interval that contains the exact force \[N\], positive where it pushes the beam up.
     pub force: [f64; 2],
 }
 
-/// Bounds of the distances between an end of a claimed contact region and the same end of the exact contact region.
+/// Bounds of the distance between an end of the exact contact region and the corresponding end of the claimed region.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EdgeShift {
     pub node: usize,
@@ -53,8 +53,8 @@ pub(crate) struct EdgeShift {
     pub beyond: [Size; 2],
 }
 
-/// A length next to an end of a piece on which w* − g₀, the exact deflection minus the initial gap, is monotone. The
-/// end is a contact edge on Winkler ground, or a rigid support at the height of the ground surface.
+/// An interval next to an end of a piece, on which w* − g₀, the exact deflection minus the initial gap, is monotone.
+/// The end is a contact edge on Winkler ground, or a rigid support at the height of the ground surface.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -62,8 +62,8 @@ pub(crate) struct Zone {
     pub theta: Size,
 }
 
-/// One iteration of the proof for a beam with shear deformation: the bounds on the pieces, and the edges of contact
-/// that follow from these bounds.
+/// One iteration of the proof for a beam with shear deformation: the error bounds of the claimed solution on each
+/// piece, and the contact edges that are proven with these error bounds.
 #[derive(Debug)]
 pub(crate) struct Round {
     pub shown: bool,
@@ -88,8 +88,8 @@ pub(crate) struct Shown {
     pub tolerances: Vec<Size>,
     /// For each node, whether the exact contact force is proven to be positive.
     pub pressed: Vec<bool>,
-    /// Lengths on which w* − g₀, the exact deflection minus the initial gap, is monotone. They lie next to contact
-    /// edges on Winkler ground, and next to rigid supports at the height of the ground surface.
+    /// Intervals of the beam on which w* − g₀, the exact deflection minus the initial gap, is monotone. They lie next
+    /// to contact edges on Winkler ground, and next to rigid supports at the height of the ground surface.
     pub zones: Vec<Zone>,
     /// The iterations of the proof on a beam with shear deformation, from the first to the last. The list is empty
     /// without shear deformation.
@@ -129,7 +129,8 @@ pub(crate) struct Contact<'a, S> {
     pub bounds: &'a [PieceBounds],
 }
 
-/// Number of iterations that compute contact set and slope in turn, on a beam with shear deformation.
+/// Number of iterations for a beam with shear deformation on a shear layer. Each iteration first proves the contact
+/// set and then bounds the errors of the shear force and the slope.
 const ROUNDS: usize = 3;
 
 impl<S: Scalar> Pointwise<'_, S> {

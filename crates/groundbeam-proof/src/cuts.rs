@@ -1,4 +1,4 @@
-//! Divides the beam into cells for the equilibrium correction: at free hinges, and at nodes with long contact on both sides.
+//! Divides the beam into cells for the equilibrium correction, at free hinges and at nodes between long stretches in contact.
 
 use crate::frame::Frame;
 use crate::scalar::Scalar;
@@ -9,10 +9,10 @@ pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
 }
 
-/// Returns the nodes of [`fewest_cuts`] and additional nodes at which the beam is cut. An additional cut requires
-/// that the beam is in contact on more than two characteristic lengths (4EI/k)^¼ between the previous cut and the
-/// new cut, and on more than one to the right of the new cut. At the right end of a contact zone, more than one
-/// characteristic length between the two cuts is enough.
+/// Returns the nodes of [`fewest_cuts`] and additional nodes at which the beam is cut. Lengths count only where the
+/// beam is in contact, in units of the characteristic length (4EI/k)^¼. An additional cut requires a length of more
+/// than 2 between the previous cut and the new cut, and of more than 1 to the right of the new cut. If a contact zone
+/// ends at the new cut, a length of more than 1 from the previous cut to the new cut is enough.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -45,8 +45,8 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// Returns the results of [`fewest_cuts`] and [`more_cuts`] for a beam with (4EI/k)^¼ = 1. `lengths` are the
-    /// lengths of the pieces; a negative length denotes an open piece.
+    /// Returns the results of [`fewest_cuts`] and [`more_cuts`] for a beam with the characteristic length
+    /// (4EI/k)^¼ = 1. `lengths` are the lengths of the pieces; a negative length denotes a piece out of contact.
     fn cuts(lengths: &[f64], hinges: &str) -> [Vec<usize>; 2] {
         let total: f64 = lengths.iter().map(|length| length.abs()).sum();
         let model = format!("[beam]\nlength = {total}\nEI = 6\n[foundation]\nk = 24\n{hinges}");
@@ -66,19 +66,19 @@ mod tests {
     #[test]
     fn cuts_are_separated_by_waves_of_contact() {
         for (lengths, expected) in [
-            // (4EI/k)^¼ = 1. The beam is cut at a node if it is in contact on a length of more than 2 between the
-            // previous cut and the node, and on a length of more than 1 to the right of the node.
+            // The beam is cut at a node under two conditions. The length in contact is more than 2 between the
+            // previous cut and the node, and more than 1 to the right of the node.
             (&[1.5; 5][..], &[0, 2, 4, 5][..]),
             (&[1.5, 1.5, 0.5], &[0, 3]),
             (&[1.0; 4], &[0, 4]),
             (&[1.0; 5], &[0, 3, 5]),
-            // At a node that is the right end of a contact zone, a cut requires contact on a length of more than
-            // 1, instead of 2, between the previous cut and the node.
+            // If a contact zone ends at the node, a length in contact of more than 1 between the previous cut and the
+            // node is enough.
             (&[1.5, -3.0, 1.5], &[0, 1, 3]),
             (&[1.0, -3.0, 1.5], &[0, 3]),
             (&[1.5, -3.0, 1.0], &[0, 3]),
             (&[0.75, 0.75, -0.5, 0.75, 0.75], &[0, 2, 5]),
-            // Open pieces do not count as contact.
+            // The lengths of pieces out of contact do not count.
             (&[-9.0, 1.5, 1.5], &[0, 3]),
             (&[-9.0, 1.5, 1.0, 1.5], &[0, 3, 4]),
         ] {

@@ -32,8 +32,8 @@ impl Decimal {
                 read.add(digit, step)?;
             }
         }
-        // Trailing zeros are removed, unless digits were omitted: then the last stored digit bounds the omitted
-        // part.
+        // Trailing zeros are removed, unless nonzero digits were omitted. Then the zeros must stay, because one unit
+        // of the last stored digit bounds the omitted part.
         while !read.cut && read.digits != 0 && read.digits.is_multiple_of(10) {
             (read.digits, read.exponent) = (read.digits / 10, read.exponent.checked_add(1)?);
         }

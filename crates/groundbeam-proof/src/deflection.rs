@@ -21,7 +21,7 @@ use crate::size::Size;
 /// supports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Correction<S> {
-    /// Slope c′ of the correction at both ends of the piece.
+    /// Slope c′ of the correction c of the claimed deflection, at both ends of the piece.
     pub slope: [S; 2],
     /// Rise of the correction c: its value at the right end of the piece minus its value at the left end.
     pub rise: S,
@@ -33,9 +33,9 @@ pub(crate) struct Correction<S> {
 /// The claimed deflection, slope and rotation at both ends of a piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Claimed<S> {
-    /// w.
+    /// Claimed deflection w at both ends of the piece.
     pub value: [S; 2],
-    /// w′.
+    /// Claimed slope w′ at both ends of the piece.
     pub slope: [S; 2],
     /// Rotation φ at both ends of the piece; equal to w′ on a piece without shear deformation.
     pub rotation: [S; 2],
@@ -55,7 +55,7 @@ impl<S: Scalar> Claimed<S> {
 pub(crate) struct Deflection<S> {
     pub pieces: Vec<Correction<S>>,
     pub claimed: Vec<Claimed<S>>,
-    /// w̄ at the nodes.
+    /// Corrected deflection w̄ at the nodes.
     pub values: Vec<S>,
     /// For each node, the index of an adjacent piece, and the end of this piece at the node: 0 for the left end, 1
     /// for the right end. The spring forces at the node follow from the claimed values there. The piece is the
@@ -91,7 +91,7 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
         (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
     if let Some(node) = contradicted {
         return Err(NotProven::new(
-            "the deflection cannot be corrected to the settlement of a rigid support",
+            "at a rigid support, the deflection cannot be corrected to equal the settlement of the support",
         )
         .at(frame.place(node)));
     }
@@ -166,14 +166,15 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// Computes the corrected deflection w̄ and rotation φ̄ at the nodes `first` to `end` of one chain.
+    /// Computes the corrected deflection w̄ and rotation φ̄ at the nodes of one run of pieces with a linear
+    /// correction, from the node `first` up to and including the node `end`. The run may consist of a single node.
     fn chain(&mut self, first: usize, end: usize) {
         let nodes = &self.frame.nodes;
         let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
         let start = support.unwrap_or(first);
-        // At `start`, one adjacent piece keeps its claimed deflection and rotation, unless a rigid support or a
-        // clamp prescribes them. It is a piece of the chain, or the shorter neighbour if the chain is a single
-        // node.
+        // At the node `start`, the corrected deflection and rotation are those that are claimed for an adjacent
+        // piece, unless a rigid support or a clamp prescribes them. The adjacent piece is one with a linear
+        // correction. If both adjacent pieces have a cubic correction, the shorter one is used.
         let length = |i: usize| self.frame.spans[i].h.middle();
         let keeps = match (start > 0, start < self.frame.spans.len()) {
             (true, true) if start < end => (start, 0),

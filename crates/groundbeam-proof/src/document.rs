@@ -20,14 +20,14 @@ pub struct Document {
     pub status: Option<String>,
     /// Value of the key `units`: `SI`, or the names of the units of the numbers.
     pub units: Option<String>,
-    /// Value of the key `model_digest`: the digest of the model file and of the tables that the file names.
+    /// Value of the key `model_digest`: the digest of the model file and of the table files to which it refers.
     pub model_digest: Option<String>,
-    /// Value of the key `model`: the model that was solved, as the text of a model file. The key is present only
-    /// if the proof's own reader of model files does not know a key of the original file.
+    /// Value of the key `model`: the model that was solved, as the text of a model file. It is present only if the
+    /// original file has a key that the reader of the proof checker does not support.
     pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
-    /// The claimed answer: pieces, concentrated forces and reactions.
+    /// The claimed answer: the pieces of the deflection, the concentrated contact forces and the reactions of the supports.
     pub answer: Answer,
     /// Listed contact regions as (left end, right end) \[m\]. Both ends of a contact point are equal. `None` if the
     /// document lists no regions.
@@ -39,7 +39,7 @@ pub struct Document {
     pub stations: Stations,
     /// Left-hand limits of the fields at the positions where a field jumps.
     pub left_of_jumps: Stations,
-    /// Listed extremes.
+    /// Largest and smallest values of the fields, as the document lists them.
     pub extremes: Vec<Extreme>,
     /// Stretches without contact that the document lists, each as (left end, right end, position of the largest
     /// gap, largest gap) \[m\].
@@ -71,9 +71,9 @@ pub struct Extreme {
     pub field: String,
     /// Whether the extreme is the largest value of the field; otherwise it is the smallest value.
     pub is_max: bool,
-    /// The listed position \[m\].
+    /// Position \[m\] of the extreme along the beam, as the document lists it.
     pub x: f64,
-    /// The value.
+    /// Value of the field at the extreme.
     pub value: f64,
 }
 
@@ -300,7 +300,8 @@ fn agreed(
     }
 }
 
-/// Adds the names of those remaining keys of an object whose values contain numbers.
+/// Adds to `not_covered` the names of the keys of an object whose values contain numbers. The keys that the proof
+/// covers must have been removed from the object.
 fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     for (key, _) in object.iter().filter(|(_, value)| value.has_number()) {
         let name = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
@@ -334,7 +335,8 @@ fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     Ok(read)
 }
 
-/// Reads fields at listed positions. Returns no positions if the key is missing.
+/// Reads positions along the beam, and the values of the deflection, the moment and other quantities there. Returns an
+/// empty list of positions if the key is missing.
 fn stations(root: &mut Object, key: &str) -> Result<Stations, JsonError> {
     let Some(value) = root.remove(key) else { return Ok(Stations::default()) };
     let mut value = object(value, key)?;

@@ -23,8 +23,9 @@ use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Edges of contact at the left and right end of one piece. For each edge: the length on which only the claimed or
-/// only the exact solution is in contact, and the bound Φ₀ of the jump of the flux.
+/// Edges of contact at the left and right end of one piece; `None` at an end without an edge. For each edge: the length
+/// on which only the claimed or only the exact solution is in contact, and the bound Φ₀ of the jump of the shear-layer
+/// force μu′.
 pub(crate) type EdgesOfPiece = [Option<[Size; 2]>; 2];
 
 /// Assigns the edges of contact to the ends of every piece.
@@ -96,9 +97,9 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks which edges of contact `edges_of_pieces` assigns to the left and right end of each piece. First, the
-    /// edges of two contact regions lie at nodes 1, 2 and 3, and the edge at node 3 cannot lie outside its region.
-    /// Then the edges lie at both ends of the beam, where only one piece is adjacent.
+    /// Checks which edges of contact `edges_of_pieces` assigns to the two ends of each piece. Case 1: two contact
+    /// regions have edges at nodes 1, 2 and 3, and the exact edge at node 3 cannot lie outside the claimed region. Case
+    /// 2: the edges lie at both ends of the beam, where only one piece is adjacent.
     #[test]
     fn an_edge_lies_at_the_ends_of_its_two_pieces() {
         let edge = |node: usize, side: usize, lengths: [f64; 2]| {
@@ -117,9 +118,9 @@ mod tests {
         assert_eq!(edges_of_pieces(&ends, 2), [[place(2.0), None], [None, place(4.0)]]);
     }
 
-    /// The beam has the shear stiffness S = 3 and the axial tension P = 1, and the shear layer has μ = 2. Compares the
-    /// error bound of the transverse force with A/(1 − χ). The documentation at the top of this file explains the
-    /// symbols: here 1 + α = 3/2 and χ = (1 + γ)/3, with γ = 1/4 in contact and γ = 0 out of contact.
+    /// Compares the error bound of the transverse force with the formula A/(1 − χ) at the top of this file. The beam
+    /// has the shear stiffness S = 3 and the axial tension P = 1, and the shear layer has μ = 2. So χ = (1 + γ)μ/(S + P
+    /// + μ) is (1 + γ)/3, where γ is the relative change of the contact pressure: 1/4 in contact, and 0 out of contact.
     #[test]
     fn the_force_beside_an_edge_is_that_of_the_closed_form() {
         let model = "[beam]\nlength = 1.5\nEI = 1\nshear_stiffness = 3\naxial_force = 1\n\

@@ -104,7 +104,8 @@ pub fn verify<S: Enclosing>(
     S::verify(model, document, None)
 }
 
-/// Proves a document, and writes the log of the proof if `log` is given.
+/// Proves the claimed solution in a document, checks the other numbers that the document lists, and writes the log of
+/// the proof if `log` is given.
 ///
 /// # Errors
 ///

@@ -14,9 +14,10 @@ use crate::scalar::Scalar;
 /// Energies of a claimed solution, in the units of force and length of the proof.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Energies {
-    /// Strain energy: ½∫EI(φ′ − κ₀)² + ½∫EIκ₀² + ½∫S(w′ − φ)² + ½∫|P|w′² + ½b(u, u) plus the energy of springs and
-    /// elastic hinges. w is the deflection, φ the rotation, κ₀ the imposed curvature, S the shear stiffness, P the
-    /// axial force, and ½b(u, u) the energy of the ground with the displacement u.
+    /// Strain energy, with which the error energy is compared: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½b(u, u) plus the energy
+    /// of springs and elastic hinges, plus ½∫EIκ₀² for the imposed curvature κ₀ and ½∫|P|w′² for the axial force P. The
+    /// deflection is w, the rotation φ, the shear stiffness S, and the energy of the ground with the displacement u is
+    /// ½b(u, u).
     pub strain: f64,
     /// Potential energy J: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½∫Pw′² + ½b(u, u) plus the energy of springs and elastic
     /// hinges, minus the work of the loads. w is the deflection, φ the rotation, κ₀ the imposed curvature, S the
@@ -50,13 +51,16 @@ impl Energies {
     }
 }
 
-/// Sums over the pieces and nodes: twice the strain energy without axial force, ∫EIκ₀², ∫Pw′², and the work of the
-/// loads.
+/// Sums over the pieces and nodes, from which the energies are computed.
 #[derive(Default)]
 struct Sums {
+    /// Twice the energy of bending, shear deformation, ground, springs and elastic hinges.
     strain: f64,
+    /// ∫EIκ₀² dx, with the imposed curvature κ₀ of the beam.
     curled: f64,
+    /// ∫Pw′² dx, with the axial force P and the deflection w of the beam.
     axial: f64,
+    /// Work of the loads on beam and ground.
     work: f64,
 }
 
@@ -86,9 +90,9 @@ impl Sums {
         self.work += half * Series::of(&span.moment).times(rotation);
     }
 
-    /// Adds ∫(ku² + μu′²) dx and ∫qu dx on one piece, with the ground displacement u and the load q on the ground.
-    /// On a piece out of contact with a shear layer, the first integral is computed as ∫qu dx plus μu′u at the
-    /// right end minus μu′u at the left end.
+    /// Adds the contributions of the ground on one piece: ∫(ku² + μu′²) dx to `strain`, and ∫qu dx to `work`. u is the
+    /// ground displacement, and q the load on the ground. For a shear layer out of contact, the first integral is
+    /// computed by parts: it is ∫qu dx plus the increase of μu′u from the left to the right end of the piece.
     fn ground<S: Scalar>(
         &mut self,
         fields: &Fields<S>,
@@ -169,7 +173,7 @@ fn pushed<S: Scalar>(span: &Span<S>, load: &Series<2>, ends: [f64; 2], flux: [f6
     half * load.times(load) / k + (at(1) - at(0)) / k
 }
 
-/// ū at a node of a layer.
+/// Returns the ground displacement ū at a node of a shear layer.
 fn settlement<S: Scalar>(fields: &Fields<S>, node: usize) -> f64 {
     if fields.surface.touches[node] {
         return fields.surface.nodes[node].settlement.middle();
@@ -180,14 +184,14 @@ fn settlement<S: Scalar>(fields: &Fields<S>, node: usize) -> f64 {
     left.or_else(|| open(node, 0)).unwrap_or(0.0)
 }
 
-/// \[φ\] at a hinge.
+/// Returns the jump of the rotation φ at a hinge, from left to right.
 fn turn<S: Scalar>(deflection: &Deflection<S>, node: usize) -> f64 {
     let [left, right] = [(node - 1, 1), (node, 0)]
         .map(|(i, side): (usize, usize)| deflection.claimed[i].rotation[side]);
     (right - left).middle()
 }
 
-/// ∫cab over −1 ≤ t ≤ 1.
+/// Returns ∫cab dt over −1 ≤ t ≤ 1 for a coefficient c and two fields a and b.
 fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Series<N>) -> f64 {
     match c.along() {
         None => c.middle() * a.times(b),
@@ -195,7 +199,7 @@ fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Se
     }
 }
 
-/// A field in doubles as a series Σ aₖPₖ(t) of Legendre polynomials, which are orthogonal on −1 ≤ t ≤ 1.
+/// A field in double precision, as a series Σ aₖPₖ(t) of the Legendre polynomials, which are orthogonal on −1 ≤ t ≤ 1.
 #[derive(Clone, Copy)]
 struct Series<const N: usize = CAPACITY> {
     len: usize,
@@ -211,8 +215,8 @@ impl<const N: usize> Series<N> {
         for (c, power) in p.coefficients().iter().zip(&POWERS) {
             let c = c.middle();
             series.len += 1;
-            // The loop adds four coefficients at a time. Legendre coefficients of tʲ with an index above j are
-            // zero.
+            // The loop adds the Legendre coefficients of c·tʲ to the series in groups of four. The last group may
+            // contain indices above j, where these coefficients are zero.
             let fours = series.a.chunks_mut(4).zip(power.chunks(4));
             for (a, part) in fours.take(series.len.div_ceil(4)) {
                 a.iter_mut().zip(part).for_each(|(a, part)| *a += c * part);

@@ -67,8 +67,10 @@ mod tests {
         estimate(&model, &Answer::from_json(&document.to_string()).expect("an answer"), None)
     }
 
-    /// A beam at rest on springs, w = 1 under the load 1. The claim w = 1 + ε has the error energy ½k∫ε² = ε². E also bounds
-    /// the moments from the redistributed pressure. The strain energy is ½k∫(1 + ε)².
+    /// A beam of length 2 on Winkler ground with k = 1 has the exact deflection w = 1 under the distributed load 1. The
+    /// claim w = 1 + ε has the error energy ½k∫ε² = ε² and the strain energy ½k∫(1 + ε)². The estimate of the error
+    /// energy may be larger, because it includes a bound of the moments that the correction of the contact pressure
+    /// causes.
     #[test]
     fn the_estimate_of_a_shifted_beam_covers_its_error_energy() {
         let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = 1\n";
@@ -90,9 +92,11 @@ mod tests {
         }
     }
 
-    /// A beam on one pin at its middle carries 3 and 3 + ε at its ends: w = (3s² − s³)/(2EI) at the distance s from the pin,
-    /// with the slope 3/(2EI) at the ends and the strain energy 3/EI. A transverse force ε/2 along the beam balances the
-    /// moment ε about the pin. Twice its work on the largest slopes is 3ε/EI, which must be at most 10⁻⁸ · 3/EI.
+    /// A beam on a pin at its middle carries the forces 3 and 3 + ε at its ends, at the distance 1 from the pin. At the
+    /// distance s from the pin, w = (3s² − s³)/(2EI), so the slope at the ends is 3/(2EI) and the strain energy is
+    /// 3/EI. A constant transverse force ε/2 in the beam of length 2 balances the moment ε about the pin. The added
+    /// energy is twice the product of this force, the length 2 and the slope 3/(2EI), which is 3ε/EI. It must be at
+    /// most 10⁻⁸ times the strain energy.
     #[test]
     fn a_beam_on_one_pin_may_be_unbalanced_by_rounding_error() {
         for bending in [1.0, 4096.0, 1.0 / 4096.0] {

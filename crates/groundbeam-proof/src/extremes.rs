@@ -70,13 +70,14 @@ struct Search<'a, S: Scalar> {
     /// Sign of the extreme: 1 for the largest value, −1 for the smallest value. The search maximises `sign` times the
     /// field.
     sign: f64,
-    /// Positions where `sign` times the field is smaller than this level are excluded.
+    /// Lower limit of `sign` times the field at the exact extreme. The search excludes positions with smaller values.
     level: f64,
     /// Error bound of the derivative of the field with respect to x, on each piece; infinite if no bound is known.
     steep: Vec<Size>,
 }
 
-/// Finds the positions in the exact solution of an extreme that the result document lists.
+/// Finds intervals that contain every position of an extreme in the exact solution. `extreme` is the entry of the
+/// result document for this extreme.
 pub(crate) fn placed<S: Scalar>(
     extreme: &Extreme,
     fields: &Fields<S>,
@@ -115,8 +116,8 @@ fn search<'a, S: Scalar>(
         return None;
     }
     let sign = if extreme.is_max { 1.0 } else { -1.0 };
-    // `top` is the largest value of `sign` times the field at the ends of pieces and at the position of the extreme
-    // in the result document.
+    // `top` is the largest value of `sign` times the field at two kinds of positions: the ends of all pieces, and the
+    // position that the result document lists for the extreme.
     let mut top = -f64::INFINITY;
     let mut raise = |piece: usize, t: S| {
         let value = (patches.value(field, piece, t) * S::of(sign)).low();
@@ -196,8 +197,9 @@ impl<S: Scalar> Search<'_, S> {
                 continue;
             }
             let slope = about.derivative();
-            // If all values on the interval are at least `level` and all slopes are at most the error bound
-            // `steep`, neither half of the interval can be excluded.
+            // Suppose that, on the whole interval, the field times `sign` is at least `level`, and the magnitude of its
+            // slope is at most `steep`, the error bound of the slope. Then neither half of the interval can be
+            // excluded.
             let reaches =
                 (about.coefficient(0).low() - about.tail(r).value()).next_down() >= self.level;
             if reaches && (slope.coefficient(0).size() + slope.tail(r).value()).next_up() <= steep
@@ -235,8 +237,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the distance from the position of an extreme in the document to the nearest interval that contains the
-    /// exact extreme, and to the farther end of this interval.
+    /// Checks two distances from the listed position of an extreme: the distance to the nearest proven interval, and
+    /// the distance to the farther end of this interval.
     #[test]
     fn a_listed_place_is_compared_with_the_nearest_interval() {
         for (listed, places, distance, error) in [
@@ -271,10 +273,11 @@ mod tests {
         with_fields(&model, &json!({"pieces": [piece]}), |fields| of(fields, &Patches::of(fields)));
     }
 
-    /// Checks the search data of each field. Positions are kept where the field is at most twice its error bound
-    /// below its largest known value. The derivative of the deflection has the error bound of the slope, and the
-    /// derivative of the moment M that of the shear force. The derivative of the rotation has the error bound of M
-    /// divided by EI, and so has the derivative of the slope if the beam has no shear deformation.
+    /// Checks two numbers that limit the search for the extremes of each field. `level` is the largest known value of
+    /// the field minus twice its error bound. `steep` is the error bound of the derivative of the field with respect to
+    /// x. For the deflection it is the error bound of the slope, and for the moment M that of the shear force. For the
+    /// rotation it is the error bound of M divided by EI. Without shear deformation, the slope has the same `steep` as
+    /// the rotation.
     #[test]
     fn the_errors_of_a_field_and_of_its_derivative_bound_the_search() {
         let error = |error: f64| Bound { error, scale: 1.0 };
@@ -334,8 +337,7 @@ mod tests {
                 search.on_patch(&patches.pieces[0][0], 0, &mut Budget::new(4))
             };
             for s in [0.1, 0.25, 0.7] {
-                // The third argument bounds the derivative with respect to x = ½(t + 1), which is twice the
-                // derivative with respect to t.
+                // The third argument of `kept` is the largest |dw/dx| that is not excluded. Since x = ½(t + 1), dw/dx = 2 dw/dt.
                 for found in [kept(1.0, 1.0 - s * s, f64::INFINITY), kept(1.0, -9.0, 4.0 * s)] {
                     let [from, to] = [found[0][0], found[found.len() - 1][1]];
                     assert!(

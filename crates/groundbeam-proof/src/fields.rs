@@ -1,4 +1,4 @@
-//! Kinematically admissible deflection and equilibrium forces from a claimed solution; bound E of their energy difference.
+//! Constructs an admissible deflection and forces in equilibrium from a claimed solution, and bounds its error energy by E.
 
 use crate::balance::{Balance, Balanced};
 use crate::clearance::{Clearance, clearance};
@@ -26,9 +26,9 @@ pub(crate) struct Fields<'a, S> {
     /// Upper bounds of the squared norms ‖c‖²_beam = ∫EI c″² dx and ∫c′² dx of the correction c of the deflection. Each
     /// bound is a sum over the pieces of the beam: the length of a piece times an upper bound of the integrand.
     pub closing: [Size; 2],
-    /// Bound ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ of the residual in the equilibrium of the ground, in the energy norm ‖·‖_b
-    /// of the ground. The terms are due to the correction c of the deflection, to residual forces r on a shear
-    /// layer with the flexibility g, and to tensile pressures of at most η on the length ω.
+    /// Upper bound of the energy norm ‖·‖_b of the residual in the equilibrium of the ground. It is the sum of ‖c‖_b
+    /// for the correction c of the deflection, Σ|r|√g for residual forces r on a shear layer with the flexibility g,
+    /// and Ση(ω/k)^½ for tensile pressures of at most η on the length ω.
     missed: Size,
 }
 
@@ -47,8 +47,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
-    /// Returns the bound E of the error energy, and the redistributed forces and changed moments from which E is
-    /// computed. The axial tension takes part in the redistribution only if pressures and supports alone cannot
+    /// Returns the bound E of the error energy. Also returns the corrections of the contact pressures and moments from
+    /// which E is computed. The axial tension takes part in the corrections only if pressures and supports alone cannot
     /// balance the loads.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
         match (self.least_energy(0.0), self.frame.tension) {
@@ -57,10 +57,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// Estimates the error energy of a beam without tension that is supported at one point, which the theorem of
-    /// docs/proof.md does not cover. A fictitious transverse force balances the loads that the contact pressure
-    /// and the support cannot balance. The integral of this force times the slope of the beam is added to the
-    /// error energy. If the addition exceeds `rounding`, the function returns an error.
+    /// Estimates the error energy of a beam without tension that is supported at only one point. The theorem of
+    /// docs/proof.md does not cover such a beam. A fictitious transverse force balances the loads that the contact
+    /// pressure and the support cannot balance. An upper estimate of the work of this force on the slope of the beam is
+    /// added to the error energy. The function returns an error if the added work exceeds `rounding`.
     pub fn nearly_balanced_energy(&self, rounding: f64) -> Result<Size, NotProven> {
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
@@ -205,8 +205,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the bounds of the norms of the correction that removes the jumps of a claimed deflection. All pieces are
-    /// longer than the characteristic length (4EI/k)^¼, so each correction is a cubic.
+    /// Checks the bounds of the norms of the correction that is added to a claimed deflection to remove its jumps. Each
+    /// piece is longer than the characteristic length (4EI/k)^¼, so the correction is a cubic on each piece.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
         let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";

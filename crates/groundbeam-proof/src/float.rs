@@ -1,7 +1,7 @@
 //! Range limits of balls (intervals stored as midpoint and radius), and exact scaling of doubles by powers of two.
 
-/// Factor 1 + 16u with u = 2⁻⁵³. It is larger than (1 + u)¹², which covers the rounding errors of a radius from at
-/// most ten operations.
+/// Factor by which a computed radius of a ball is multiplied, so that rounding errors cannot make it too small. The
+/// factor is 1 + 16u, where u = 2⁻⁵³ is the largest relative rounding error of one operation. It covers ten operations.
 pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
 /// Smallest magnitude of a nonzero midpoint of a ball. Smaller midpoints are replaced by 0, because the error bounds do
 /// not cover the rounding errors of subnormal numbers.

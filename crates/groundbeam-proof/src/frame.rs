@@ -1,4 +1,4 @@
-//! The problem on the pieces of a claimed solution: stiffness, ground, loads, deflection by piece; loads and supports by node.
+//! Beam, ground, loads and claimed deflection for each piece of a claimed solution, and loads and supports at each node.
 
 use crate::answer::{Answer, Piece};
 use crate::beside::Row;
@@ -11,17 +11,17 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::units::Units;
 
-/// A piece of the beam. Its coordinate is t = (x − x_mid)/half.
+/// A piece of the beam. Its local coordinate is t = (x − `middle`)/`half`, with the midpoint and half the length of the piece.
 #[derive(Debug, Clone)]
 pub(crate) struct Span<S> {
     /// Exact positions of the two ends of the piece.
     pub x: [S; 2],
     /// Length of the piece.
     pub h: S,
-    /// x_mid, the middle between the stored ends of the piece.
+    /// Midpoint between the stored ends of the piece.
     pub middle: S,
     pub half: S,
-    /// 1/half, the factor that converts a derivative with respect to t to a derivative with respect to x.
+    /// 1/`half`, the factor that converts a derivative with respect to the local coordinate t to a derivative with respect to x.
     pub per_length: S,
     /// Values of the local coordinate t at the left and right end of the piece.
     pub t: [S; 2],
@@ -30,15 +30,15 @@ pub(crate) struct Span<S> {
     /// ∫tʲ dt over the piece, where t is the local coordinate.
     powers: Vec<S>,
     pub touches: bool,
-    /// w(t).
+    /// Claimed deflection w, as a polynomial in the local coordinate t.
     pub deflection: Polynomial<S>,
-    /// Rotation φ(t) of a piece with shear deformation; `None` if φ = w′.
+    /// Rotation φ of a piece with shear deformation, as a polynomial in the local coordinate t; `None` if φ = w′.
     pub rotation: Option<Box<Polynomial<S>>>,
-    /// EI.
+    /// Bending stiffness EI.
     pub bending: Coefficient<S>,
     /// Shear stiffness S of a beam with shear deformation.
     pub stiffness: Option<Coefficient<S>>,
-    /// k.
+    /// Subgrade modulus k.
     pub spring: Coefficient<S>,
     /// Stiffness μ of the shear layer; exactly 0 on Winkler ground.
     pub shear: Coefficient<S>,
@@ -52,7 +52,7 @@ pub(crate) struct Span<S> {
     pub curvature: Line<S>,
     /// Initial gap g₀ between beam and ground, linear in the local coordinate t.
     pub gap: Line<S>,
-    /// Distributed load q on the ground, linear in t; `None` without such a load.
+    /// Distributed load q on the ground, linear in the local coordinate t; `None` without such a load.
     pub ground_load: Option<Line<S>>,
     /// Ground displacement u at the two ends of a piece out of contact, as stored numbers; `None` if not stored.
     pub stored: Option<[S; 2]>,
@@ -97,14 +97,14 @@ pub(crate) struct Node<S> {
 /// Weighting factors of the supports in the redistribution of residual forces. Equilibrium holds for any positive factors.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Weights {
-    /// Weighting factor W of a rigid support. Redistribution of residual forces with the factor λ changes its reaction by λW.
+    /// Weighting factor W of a rigid support. Correcting the contact pressure p by λp changes the reaction of the support by λW.
     pub rigid: f64,
-    /// Weighting factor W of a translational spring. Redistribution of residual forces with the factor λ changes its force by λW.
+    /// Weighting factor W of a translational spring. Correcting the contact pressure p by λp changes the spring force by λW.
     pub spring: f64,
-    /// Weighting factor W_θ of a clamp. Redistribution of residual forces with the factor λ changes its moment by λ′W_θ.
+    /// Weighting factor W_θ of a clamp. Correcting the contact pressure p by λ(x)p changes the moment of the clamp by λ′W_θ.
     pub clamp: f64,
-    /// Weighting factor W_θ of a rotational spring. Redistribution of residual forces with the factor λ(x) changes the moment of
-    /// the spring by λ′W_θ.
+    /// Weighting factor W_θ of a rotational spring. Correcting the contact pressure p by λ(x)p changes the spring moment by
+    /// λ′W_θ.
     pub turning: f64,
 }
 
@@ -132,7 +132,7 @@ pub(crate) struct Frame<S> {
     pub supports: Vec<Held<S>>,
     /// Tension P; `None` if P ≤ 0.
     pub tension: Option<S>,
-    /// Weighting factor B > 0 of the tension. Redistribution of residual forces with the factor λ adds the transverse force Bλ′.
+    /// Weighting factor B > 0 of the tension. Correcting the contact pressure p by λ(x)p adds the transverse force Bλ′.
     pub carrier: f64,
     /// Data of the axial compression; `None` if the axial force P (positive in tension) is zero or positive.
     pub compression: Option<Compression<S>>,
@@ -280,7 +280,7 @@ impl<S: Scalar> Span<S> {
         Line::from_coefficients([start + slope * (self.middle - from), slope * self.half])
     }
 
-    /// Returns ∫tᵏp dx over the piece, for k = 0, …, N − 1.
+    /// Returns ∫tᵏp dx over the piece for k = 0, …, N − 1, with the local coordinate t of the piece.
     pub fn integrals<const N: usize>(&self, p: &Polynomial<S>) -> [S; N] {
         let c = p.coefficients();
         let count = c.len() + N;
@@ -297,12 +297,12 @@ impl<S: Scalar> Span<S> {
         p.derivative_times(self.per_length)
     }
 
-    /// g₀′.
+    /// Slope g₀′ of the initial gap.
     pub fn gap_slope(&self) -> S {
         self.gap.coefficient(1) * self.per_length
     }
 
-    /// Returns the free-field settlement q/k; `None` if k varies, or without a load on the ground.
+    /// Returns the free-field settlement q/k under the load q on the ground; `None` if k varies or if there is no such load.
     pub fn free_field(&self) -> Option<Line<S>> {
         let spring = self.spring.even()?;
         self.ground_load.as_ref().map(|load| load.times(S::one().div(spring)))
@@ -316,7 +316,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// w − g₀ − q/k.
+    /// Returns w − g₀ − q/k: the deflection minus the initial gap and the free-field settlement.
     pub fn above_free_field(&self) -> Polynomial<S> {
         match self.free_field() {
             None => self.obstacle(),
@@ -324,7 +324,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// w − g₀.
+    /// Returns w − g₀, the deflection minus the initial gap.
     pub fn obstacle(&self) -> Polynomial<S> {
         self.deflection - &self.gap
     }
@@ -348,12 +348,12 @@ impl<S: Scalar> Span<S> {
         coefficient.along().map_or(Size::ZERO, |along| self.derivative(along).size(self.tau))
     }
 
-    /// M = −EI (φ′ − κ₀).
+    /// Returns the bending moment M = −EI (φ′ − κ₀), with the imposed curvature κ₀.
     pub fn bending_moment(&self, rotation: &Polynomial<S>) -> Polynomial<S> {
         self.bending.times(rotation.derivative_times(-self.per_length) + &self.curvature)
     }
 
-    /// V = M′ − g.
+    /// Returns the shear force V = M′ − g, with the distributed moment g.
     pub fn shear_force(&self, moment: &Polynomial<S>) -> Polynomial<S> {
         self.derivative(moment) - &self.moment
     }
@@ -394,8 +394,8 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether a node lies inside a shear layer, the stiffness μ of the layer and the shear stiffness S of the beam are
-    /// continuous at the node, and the node has neither a hinge nor a force on the ground.
+    /// Whether a node lies inside a shear layer and has no discontinuity: no jump of the layer's stiffness μ or of the beam's
+    /// shear stiffness S, no hinge, and no point force on the ground.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && !self.nodes[node].stepped

@@ -1,4 +1,4 @@
-//! Builds the problem on the pieces from model and answer: checks ranges, and assigns loads and supports to nodes.
+//! Divides a model into the pieces of a claimed solution: checks ranges of values, and assigns loads and supports to nodes.
 
 use crate::answer::{Answer, Reaction};
 use crate::beside::Row;
@@ -18,7 +18,7 @@ use crate::stability::margin;
 use crate::units::Units;
 use crate::values::{in_range, positive};
 
-/// Node indices of the segments, loads, supports, hinges and corners of the gap of the model.
+/// Indices of the nodes at the ends of the segments and loads, at the supports and hinges, and at the corners of the initial gap.
 struct Places {
     beam: Vec<[usize; 2]>,
     ground: Vec<[usize; 2]>,
@@ -30,8 +30,8 @@ struct Places {
     gap: Vec<usize>,
 }
 
-/// Returns the model and the claimed deflection, divided into the pieces of the claimed solution. Lengths and
-/// forces are in the units of the proof, which are powers of two of metres and newtons.
+/// Returns the model and the claimed deflection, divided into the pieces of the claimed solution. Lengths and forces
+/// are in the units of the proof, which are metres and newtons multiplied by powers of two.
 ///
 /// `stability` is σ, the fraction of the convexity of the energy that remains under compression. If it is `None`,
 /// a lower bound of σ is proven. The supports with the indices `placed` have nodes although they have no reaction.
@@ -148,7 +148,7 @@ fn places<S: Scalar>(
     Ok(Places { beam, ground, loads, supports, hinges, gap })
 }
 
-/// Returns the nodes at which the answer has a positive concentrated force.
+/// Returns the nodes at which the answer has a positive concentrated contact force.
 fn pressed<S: Scalar>(answer: &Answer, positions: &Positions<S>) -> Result<Vec<usize>, NotProven> {
     let mut pressed = Vec::new();
     for force in &answer.forces {
@@ -277,7 +277,7 @@ impl<S: Scalar> Part<S> {
     fn course(&self, course: &Course<S>, length: i32) -> Result<Coefficient<S>, NotProven> {
         if matches!(course, Course::Varying(values) if values.len() > HIGHEST_COURSE + 1) {
             return Err(NotProven::new(
-                "a coefficient such as EI or k is a polynomial of a degree above 5",
+                "a coefficient such as EI or k is a polynomial of degree greater than 5",
             ));
         }
         let scaled = |x: S| self.units.scaled(x, 1, length);
@@ -285,8 +285,8 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// Whether a load on the ground may act upward. Under such a load, the settlement is not an upper bound of the
-/// settlement Gp due to the contact pressure p.
+/// Whether a load on the ground may act upward. The proof uses the total settlement as an upper bound of the settlement
+/// due to the contact pressure alone. Under an upward load, the total settlement may be smaller.
 fn lifts<S: Scalar>(load: &Load<S>) -> bool {
     let sizes = match load.extent {
         Extent::Point { size, .. } => [size; 2],

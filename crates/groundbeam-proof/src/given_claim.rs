@@ -24,8 +24,8 @@ pub(crate) fn with_fields<T>(
     of(&mut Fields::of(&frame).expect("fields"))
 }
 
-/// Returns the redistribution of residual forces for a claimed solution in exact equilibrium, which changes no
-/// force or moment.
+/// Returns corrections of zero for the contact pressures, forces and moments, as for a claimed solution in exact
+/// equilibrium.
 pub(crate) fn balanced(pieces: usize) -> Balanced<Wide> {
     let zero = Wide::zero();
     let piece = BalancedPiece {

@@ -25,11 +25,10 @@ pub(crate) struct Surface<S> {
     pub nodes: Vec<SurfaceNode<S>>,
     /// Whether beam and layer touch at each node.
     pub touches: Vec<bool>,
-    /// Bound Σ|r|√g + (Σ∫ρ²/k)^½ of the energy norm of the residual: node forces r with the flexibility g, and pressures ρ.
+    /// Upper bound of the energy norm of the residual of the ground equation: residual forces at nodes, and residual pressures.
     pub unclaimed: Size,
 }
 
-/// The surface on one piece.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfacePiece<S> {
     /// Ground displacement ū at both ends of a piece out of contact on a shear layer; `None` on other pieces.
@@ -47,7 +46,7 @@ pub(crate) struct SurfacePiece<S> {
 /// The ground displacement ū and the forces at one node; all zero at a node where beam and shear layer are not in contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SurfaceNode<S> {
-    /// Decrease of the shear-layer force μū′ from left to right at the node, minus the point force on the ground at the node.
+    /// Decrease, from left to right, of the shear-layer force at the node, minus the point force on the ground at the node.
     pub jump: S,
     pub settlement: S,
     /// Concentrated contact force: equal to `jump`, or zero if `jump` is negative.
@@ -105,7 +104,8 @@ fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
     (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
 }
 
-/// The ground on one side of a node, condensed to the node. It exerts the force Su − T, with `stiffness` S and `pushed` T.
+/// The ground on one side of a node, condensed to it. It exerts the upward force Su − T on the node, with the settlement u of the
+/// node, the stiffness S in `stiffness`, and the force T of the loads on this ground in `pushed`.
 #[derive(Clone, Copy)]
 pub(crate) struct Behind<S> {
     stiffness: S,
@@ -119,7 +119,7 @@ impl<S: Scalar> Behind<S> {
     }
 }
 
-/// Free-field settlement q/k at both ends of an open piece, its increase from left to right, and μq′/k.
+/// Free-field settlement q/k of a piece under the load q: end values, increase from left to right, and shear-layer force μq′/k.
 #[derive(Clone, Copy)]
 struct FreeField<S> {
     ends: [S; 2],
@@ -127,9 +127,10 @@ struct FreeField<S> {
     slope: S,
 }
 
-/// A piece out of contact with u = q/k + v, where q is the load and μv″ = kv. Varying k and μ are replaced by their minima.
+/// A piece out of contact. Its settlement is u = q/k + v, where q is the load on the ground and v is a solution of μv″ = kv.
+/// Varying k and μ are replaced by their minima.
 pub(crate) struct Link<S> {
-    /// s₁ and s₂.
+    /// Stiffnesses s₁ and s₂, which are defined at the top of this file.
     across: S,
     own: S,
     /// Free-field settlement q/k; zero without a load on the piece.
@@ -168,19 +169,19 @@ impl<S: Scalar> Link<S> {
         Link { free: FreeField { ends, ..self.free }, ..*self }
     }
 
-    /// Returns the increase of q/k from the near to the far end, and μq′/k with the derivative in this direction.
+    /// Returns the increase of the settlement q/k and the shear-layer force μq′/k, in the direction from `near` to the far end.
     fn outward(&self, near: usize) -> [S; 2] {
         let FreeField { rise, slope, .. } = self.free;
         if near == 0 { [rise, slope] } else { [-rise, -slope] }
     }
 
-    /// Returns the force on the ground at the near end due to loads on the piece and `behind` it, with the far end fixed (u = 0).
+    /// Returns the downward force at the near end due to loads on the piece and on the ground `behind`, if u = 0 at both ends.
     fn source(&self, behind: Behind<S>, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         behind.pushed + slope + self.own * self.free.ends[near] - self.across * rise
     }
 
-    /// Returns the ground displacement u at the near end of the piece, from u at its far end.
+    /// Returns the ground displacement u at the near end of the piece, which adjoins the ground `behind`, from u at its far end.
     fn near(&self, behind: Behind<S>, near: usize, far: S) -> S {
         (self.across * far + self.source(behind, near)).div(self.divisor(behind))
     }
@@ -199,7 +200,7 @@ impl<S: Scalar> Link<S> {
         Behind { stiffness: self.across + self.own, pushed: self.own_push(near) }
     }
 
-    /// Returns the force on the ground at the far end due to the loads on the piece, with the near end fixed (u = 0).
+    /// Returns the downward force at the far end of the piece due to the loads on the piece, if u = 0 at both ends.
     fn own_push(&self, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         self.own * self.free.ends[1 - near] + self.across * rise - slope
@@ -213,7 +214,7 @@ impl<S: Scalar> Link<S> {
         [across - self.own * left, across + self.own * right]
     }
 
-    /// Returns the flux at the right end minus the flux at the left end, from the sum of u − q/k at both ends.
+    /// Returns the increase of the shear-layer force μu′ from the left to the right end, from the displacements u at these ends.
     fn flux_gained(&self, [left, right]: [S; 2]) -> S {
         let [a, b] = self.free.ends;
         self.own * ((left - a) + (right - b))
@@ -226,7 +227,7 @@ pub(crate) struct Layer<'a, S> {
     deflection: &'a Deflection<S>,
     pub(crate) links: &'a [Link<S>],
     pub(crate) first: usize,
-    /// The layer left and right of each node, condensed to the node as if nowhere in contact, without the load at the node.
+    /// For each node, the ground on its left and right, condensed to the node as if out of contact, without the load at the node.
     behind: [Vec<Behind<S>>; 2],
 }
 
@@ -263,9 +264,9 @@ impl<'a, S: Scalar> Layer<'a, S> {
         self.first + self.links.len()
     }
 
-    /// Bounds √g on each piece by two bounds of the flexibility g. First, g ≤ 1/(min S₋ + min S₊). Along a piece with constant
-    /// k and μ, the stiffnesses S₋ and S₊ of the layer on both sides are monotone, so they are smallest at an end. Second, g is
-    /// largest at a free end of the layer, and decreases as k, μ or the length increase. So g ≤ 1/`least_stiffness`.
+    /// Bounds √g on each piece, where g = 1/(S₋ + S₊) is the flexibility of the shear layer at x. S₋ and S₊ are the stiffnesses
+    /// of the layer to the left and to the right of x; on a piece with constant k and μ they are smallest at an end. Moreover, g
+    /// is at most 1/`least_stiffness`, the flexibility at an end of a layer with free ends and the smallest k and μ.
     fn flexibility(&self, surface: &mut Surface<S>) {
         let least = |side: usize, i: usize| {
             let [a, b] = [i, i + 1].map(|j| self.behind[side][j].stiffness.low());
@@ -294,7 +295,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         ((spring * shear).sqrt() * (-fallen).div(fallen + S::of(2.0))).low()
     }
 
-    /// Returns the ground displacement ū at a node in contact.
+    /// Returns the ground displacement at a node in contact: the corrected deflection of the beam minus the initial gap.
     pub(crate) fn held(&self, node: usize) -> S {
         let piece = if node < self.end() { (node, 0) } else { (node - 1, 1) };
         let span = &self.frame.spans[piece.0];

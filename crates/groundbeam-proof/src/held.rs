@@ -29,8 +29,8 @@ pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reactio
     support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
 }
 
-/// Assigns the supports to nodes, and reads the claimed reactions of the rigid supports. Inactive supports have a node
-/// only if the positions of the nodes include them.
+/// Assigns the supports to nodes, and reads the claimed reactions of the rigid supports. An inactive support gets a
+/// node only if `places` contains one for it.
 pub(crate) fn supports<S: Scalar>(
     model: &Model<S>,
     reactions: &[Option<Reaction>],
@@ -142,12 +142,12 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(())
 }
 
-/// Computes the weighting factors of supports and tension in the redistribution of residual forces, in the units
-/// of the proof. The factor W of a rigid support is ten times the largest of four numbers: the sum of all loads,
-/// the sum of all stored reactions, the largest EI|κ₀| with the imposed curvature κ₀, and the largest product of
-/// stiffness and settlement of a spring. With the length l of the beam, the factor of a clamp is Wl², and that of
-/// the tension is Wl. The factor of a spring is its stiffness times the largest deflection, but at most W, or Wl²
-/// for a rotational spring.
+/// Computes the weighting factors by which the supports and the axial tension take part in the balance of residual
+/// forces, in the units of the proof. The proof is valid with any positive factors. The factor W of a rigid support is
+/// chosen as ten times the largest of four numbers: the sum of all loads, the sum of all claimed reactions, the largest
+/// EI|κ₀| with the imposed curvature κ₀, and the largest product of stiffness and settlement of a spring. With the
+/// length l of the beam, the factor of a clamp is Wl², and that of the tension is Wl. The factor of a spring is its
+/// stiffness times the largest deflection, but at most W, or Wl² for a rotational spring.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
     let mut moved = 0.0;
@@ -173,8 +173,8 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let limited = |force: f64, most: f64| if force < most { force } else { most };
     for node in &mut frame.nodes {
         if node.acts != Acts::Both {
-            // The redistribution changes the reaction of a one-way support in proportion to this reaction, so the
-            // support needs no weighting factor.
+            // To restore equilibrium, the proof multiplies the reaction of a one-way support by a number between ½ and
+            // 3/2. Only two-way supports need a weighting factor.
             continue;
         }
         let weights = &mut node.weights;
@@ -200,7 +200,7 @@ mod tests {
     use crate::read::read_model;
     use crate::wide::Wide;
 
-    /// A beam of length 1.5 with w = `height`, under a point force 1 at x = 0.
+    /// Returns a beam of length 1.5 with the uniform deflection `height`, under a point force of 1 at x = 0.
     fn loaded(height: f64) -> (Model<Wide>, Answer) {
         let text =
             "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n";
@@ -259,9 +259,10 @@ mod tests {
         assert_eq!(node.turning.map(Wide::middle), Some(0.875));
     }
 
-    /// The loads are a point force of 1, and a distributed force of ½ and a distributed moment of ¼ per unit
-    /// length. On the length 1.5, the sum of all loads is 2.125. The weighting factor of a rigid support is ten
-    /// times this sum, or ten times the sum of the stored reactions if that is larger.
+    /// The loads are a point force of 1, and a distributed force of ½ and a distributed moment of ¼ per unit length.
+    /// The beam is 1.5 long, so the magnitudes of all loads have the sum 2.125. The weighting factor of a rigid support
+    /// in the balance of residual forces is ten times this sum, or ten times the sum of the claimed reactions if that
+    /// is larger.
     #[test]
     fn the_weights_follow_from_loads_and_reactions() {
         for (height, [force, moment], rigid) in

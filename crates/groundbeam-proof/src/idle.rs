@@ -49,7 +49,7 @@ pub(crate) fn too_close() -> NotProven {
 }
 
 /// Returns an error at the first inactive support that the claimed deflection penetrates by more than the rounding
-/// error. The estimate without proof uses this check.
+/// error. Only the estimate of the error energy, which is made without a proof, uses this check.
 pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven> {
     let sizes = frame.spans.iter().map(|span| Size::of(span.deflection.coefficient(0).size()));
     let rounding = ROUNDING * sizes.fold(Size::ZERO, Size::worst).value();
@@ -168,9 +168,9 @@ mod tests {
         )
     }
 
-    /// Checks one-way supports without reaction at a beam with the deflection 1. One support has the settlement 2
-    /// and can only push up, and one has the settlement 0.5 and can only pull down. Their distances from the beam
-    /// are 1 and 0.5.
+    /// Checks whether two one-way supports without reaction are separated from a beam with the uniform deflection 1.
+    /// One support has the settlement 2 and can only push up. The other support has the settlement 0.5 and can only
+    /// pull down. Their distances from the beam are 1 and 0.5.
     #[test]
     fn supports_without_reactions_must_be_separated() {
         let both = "[[support]]\nat = 0.25\ntype = 'pinned'\nsettlement = 1\n";

@@ -269,7 +269,7 @@ impl Reader<'_> {
                 };
                 char::from_u32(code).ok_or("half a character")?
             }
-            _ => return Err("this escape is not known"),
+            _ => return Err("unknown escape sequence"),
         })
     }
 
@@ -351,10 +351,10 @@ mod tests {
         {
             assert!(read(wrong).is_err(), "{wrong}");
         }
-        // The fault is inside the two bytes of the character after the backslash, and counts as before them.
+        // The parser stops between the two bytes of é. The reported column is that of é.
         let error = read("[1,\n\"\\é\"]").unwrap_err();
         assert_eq!((error.line, error.column), (2, 3));
-        assert_eq!(error.to_string(), "line 2, column 3: this escape is not known");
+        assert_eq!(error.to_string(), "line 2, column 3: unknown escape sequence");
         let whole = JsonError { line: 0, column: 0, what: "wrong".to_owned() };
         assert_eq!(whole.to_string(), "wrong");
     }

@@ -1,9 +1,10 @@
-//! Reads values of expected kinds from a JSON object: numbers, texts, lists and objects.
+//! Reads values of expected types from a JSON object: numbers, strings, arrays and objects.
 
 use crate::json::{Json, JsonError};
 use std::collections::BTreeMap;
 
-/// A JSON object. Each value is removed when it is read, so the remaining keys are unknown.
+/// A JSON object. Each value is removed when it is read, so any keys that remain at the end do not belong to the
+/// format.
 pub(crate) type Object = BTreeMap<String, Json>;
 
 /// Returns the error of a document that does not have the expected form.
@@ -33,16 +34,16 @@ pub(crate) fn elements(parent: &mut Object, key: &str) -> Result<Vec<Object>, Js
     list(value, key)?.into_iter().map(|element| object(element, key)).collect()
 }
 
-/// Reads a text. Returns `None` if the text is missing or null.
+/// Reads a string. Returns `None` if the key is missing or its value is null.
 pub(crate) fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
         Some(Json::Text(text)) => Ok(Some(text)),
-        Some(_) => wrong(format!("`{key}` is not a text")),
+        Some(_) => wrong(format!("`{key}` is not a string")),
     }
 }
 
-/// Reads a number. Returns `None` if the number is missing or null.
+/// Reads a number. Returns `None` if the key is missing or its value is null.
 pub(crate) fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),

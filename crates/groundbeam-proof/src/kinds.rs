@@ -4,7 +4,8 @@ use crate::model::{Acts, Extent, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// Returns the first feature of a model that the theorem does not cover.
+/// Returns the first feature of the model that the theorem in section 1 of docs/proof.md does not cover; `None` if
+/// the theorem covers every feature.
 pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     let axial = model.beam.axial_force;
     let point_curvature = model.loads.iter().any(|load| {

@@ -38,8 +38,8 @@ pub struct Checked {
 /// contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
-    /// Error bounds of both ends of each listed contact region \[m\]. If no regions are listed, the error bounds of the
-    /// proven regions.
+    /// Bounds of the position errors of both ends of each contact region that the document lists \[m\]. If the
+    /// document lists no regions, these are the bounds for the proven regions.
     pub edges: Vec<[f64; 2]>,
     /// Error bound of each of the listed `forces` \[N\].
     pub forces: Vec<f64>,
@@ -62,7 +62,7 @@ impl ListedErrors {
         largest(self.forces.iter().chain(self.end_forces.iter().flatten()).chain([&self.unlisted]))
     }
 
-    /// Returns infinite error bounds for the listed regions and forces of a document, if nothing is proven about them.
+    /// Returns an infinite error bound for each contact region and each concentrated force that a document lists.
     fn nothing(document: &Document) -> Self {
         let regions = document.contact.as_ref().map_or(1, |listed| listed.len().max(1));
         ListedErrors {
@@ -94,12 +94,13 @@ pub(crate) struct Differences {
     pub checked: Checked,
     /// Listed fields with unknown names.
     pub unknown: Vec<String>,
-    /// The first listed number that contradicts the answer.
+    /// The first reason to reject the listed numbers, such as a position outside the beam; `None` if there is none.
     pub failed: Option<NotProven>,
 }
 
-/// Compares the values at stations and hinges, the extremes and the gaps in the document with the claimed fields, and the
-/// contact regions and forces with the proven contact set. Finds the positions of the exact extremes.
+/// Compares the numbers that a document lists with the claimed solution and its proof. Field values at stations and
+/// hinges, extremes and lift-off gaps are compared with the claimed fields. Contact regions and contact forces are
+/// compared with the proven contact set. Also finds the positions of the exact extremes.
 pub(crate) fn differences<S: Scalar>(
     document: &Document,
     fields: &Fields<S>,
@@ -204,8 +205,9 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.size(), force, length)
     }
 
-    /// Compares the field values that a document lists at stations with the claimed solution: on the left of each station
-    /// if `on_left`, otherwise on the right. At the right end of the beam, the value on the left is used.
+    /// Compares field values that a document lists with those of the claimed solution at the same stations. Each
+    /// value of the claimed solution is taken immediately left of the station if `on_left`, otherwise immediately
+    /// right of it. At an end of the beam, it is taken inside the beam.
     fn stations(
         &self,
         listed: &Stations,
@@ -242,10 +244,10 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Returns how far a listed pressure near a contact edge lies outside the interval from zero to p. If the contact set
-    /// is proven, no pressure is negative. p is the largest claimed pressure: of the piece at the local coordinate t, and
-    /// of each neighbouring piece at the node that it shares with the piece, if this node lies in `edge`. `edge` is an
-    /// interval that contains the contact edge.
+    /// Returns how far a listed pressure near a contact edge lies outside the interval from zero to p. p is the
+    /// largest of the claimed pressures on up to three pieces: on the given piece at the local coordinate t, and on
+    /// each neighbouring piece at its common node with the given piece, if this node lies in `edge`. The interval
+    /// `edge` contains the contact edge.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -269,12 +271,12 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// Compares a listed extreme, here a maximum, with the field f of the claimed solution. Two differences are bounded:
-    /// between the listed maximum and f at the listed position (the nearer value if f jumps), and between the largest value
-    /// of f and the listed maximum.
+    /// Compares a listed extreme, here a maximum, with the field f of the claimed solution. Two amounts are bounded:
+    /// the difference between the listed maximum and f at the listed position, and the excess of the largest value of
+    /// f over the listed maximum. If f jumps at the listed position, the nearer value is used.
     ///
-    /// The largest value of f is at least f at the listed position. So the two bounds also bound the error of the listed
-    /// maximum.
+    /// The largest value of f is at least f at the listed position. So these two bounds together bound the error of
+    /// the listed maximum.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));
@@ -296,8 +298,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Compares the largest gap of a listed stretch without contact with the gap of the claimed solution, as `extreme`
-    /// does. The stretch must end at listed contact edges or at an end of the beam.
+    /// Compares the largest gap that a document lists for a lifted-off stretch with the gap of the claimed solution,
+    /// as `extreme` does. The stretch must end at listed contact edges or at ends of the beam.
     fn lift_off(
         &self,
         [from, to, x, value]: &[f64; 4],
@@ -345,7 +347,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Returns the largest excess of a field over its listed extreme on some pieces.
+    /// Returns the largest amount by which a field lies beyond its listed extreme on the given pieces: above a listed
+    /// maximum, or below a listed minimum.
     fn beyond(&self, field: usize, extreme: &Extreme, pieces: Range<usize>) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let listed = units.scaled(S::of(extreme.value), force, length);
@@ -424,7 +427,7 @@ fn edges(document: &Document, contact: &ContactSet) -> Result<Vec<[f64; 2]>, Not
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
         match shown.last_mut() {
-            // A region that continues beyond the end of a shear layer is listed as one region.
+            // Two proven contact regions that meet at the end of a shear layer are listed as one region.
             Some(last) if last[1] == region.from => last[1] = region.to,
             _ => shown.push([region.from, region.to]),
         }

@@ -296,8 +296,8 @@ mod tests {
         Load { action: Action::Force, extent, on_ground: true }
     }
 
-    /// A model of a beam from x = 0 to x = 2. The ground on both sides of the beam has loads and jumps of k and μ. One
-    /// ground segment reaches from the left of the beam to `to`.
+    /// Returns a model of a beam from x = 0 to x = 2. On both sides of the beam, the ground carries loads, and k and
+    /// μ jump. One ground segment begins at x = −0.7, to the left of the beam, and ends at x = `to`.
     fn model(ends: [GroundEnd<f64>; 2], to: f64) -> Model<f64> {
         let segments = vec![
             segment(-0.7, to, 1.9, 0.6),
@@ -330,8 +330,9 @@ mod tests {
         }
     }
 
-    /// Computes K and T by linear finite elements for −(μu′)′ + ku = q up to the distance `far`, where the ground is
-    /// held or free. With the settlement u of the beam's end, the shear layer transmits the force K u − T there.
+    /// Computes the stiffness K and the load term T of the ground beyond an end of the beam, by linear finite
+    /// elements for −(μu′)′ + ku = q. At this end, the shear layer transmits the force Ku − T, where u is the
+    /// settlement of the end. At the distance `far` from the beam, the ground ends and is held or free.
     fn by_elements(model: &Model<f64>, side: usize, far: f64, held: bool) -> [f64; 2] {
         let h = 1.0 / 4000.0;
         let count = (far / h).round() as usize;

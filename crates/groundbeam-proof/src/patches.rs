@@ -49,11 +49,11 @@ const TERMS: usize = 26;
 pub(crate) struct Patch<S> {
     /// The middle m of the stretch, in the coordinate t of the piece.
     pub middle: f64,
-    /// An interval that contains s = t − m at every point of the stretch, with the coordinate t of the piece and the
-    /// middle m of the stretch.
+    /// An interval that contains s = t − m at every point of the stretch. Here t is the coordinate of the piece, and
+    /// m is its value at the middle of the stretch.
     pub interval: [f64; 2],
-    /// The fields in the order of [`FIELDS`], as polynomials of s = t − m, with the coordinate t of the piece and the
-    /// middle m of the stretch.
+    /// The fields in the order of [`FIELDS`], as polynomials of s = t − m. Here t is the coordinate of the piece, and
+    /// m is its value at the middle of the stretch.
     pub fields: [Polynomial<S>; 8],
 }
 
@@ -115,8 +115,8 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     (0..=last).map(on_stretch).collect()
 }
 
-/// Returns the number of stretches of a piece out of contact. `length` is its length in decay lengths, and `pieces` is the
-/// number of all pieces.
+/// Returns the number of stretches into which a piece out of contact is divided. `length` is the length of the piece
+/// in decay lengths, and `pieces` is the number of all pieces of the beam.
 fn stretches(length: f64, pieces: usize) -> f64 {
     let count = (length / LONGEST).ceil();
     let most = (MOST_OF_ALL / pieces).clamp(1, MOST) as f64;
@@ -150,8 +150,8 @@ fn patch<S: Scalar>(
     Patch { middle, interval, fields }
 }
 
-/// The settlement v of a piece out of contact with constant k and μ, relative to the free field. It satisfies μv″ =
-/// kv and has given values at both ends.
+/// The settlement v of the ground below a piece out of contact, relative to the free-field settlement. k and μ are
+/// constant, so μv″ = kv. The values of v at both ends of the piece are given.
 struct Surface<'a, S> {
     span: &'a Span<S>,
     ends: [S; 2],
@@ -246,7 +246,8 @@ mod tests {
         }
     }
 
-    /// A stretch has at most four decay lengths. The number of stretches is limited on a piece and on the whole beam.
+    /// A stretch is at most four decay lengths long, unless this would exceed the maximum number of stretches of a
+    /// piece or of the whole beam.
     #[test]
     fn a_piece_has_as_many_stretches_as_its_decay_needs() {
         for (length, pieces, count) in [
@@ -266,9 +267,9 @@ mod tests {
         }
     }
 
-    /// Checks that the stretches of a piece cover the piece. Checks that intervals computed from the polynomials of the
-    /// settlement contain the exact settlement of loaded ground: at both ends and in the middle of each stretch, and
-    /// with `Patches::value` at equidistant positions of the piece.
+    /// Checks that the stretches of a piece cover the piece, and that the intervals computed from the settlement
+    /// polynomials contain the exact settlement of loaded ground. The polynomials are evaluated at the ends and in
+    /// the middle of each stretch, and by `Patches::value` at equidistant positions of the piece.
     #[test]
     fn all_stretches_contain_the_surface_of_loaded_ground() {
         for (b, count) in [(1.0_f64, 1), (31.0, 8)] {

@@ -84,14 +84,16 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Bound of the error |u − u*| of the claimed settlement u, with the exact settlement u*.
+    /// Bound of the error |u − u*| of the claimed settlement u, where u* is the exact settlement.
     ///
-    /// On ground with a shear layer, the proof replaces u by a settlement ū that the beam does not penetrate, and |ū −
-    /// u*| is at most √(2E g). E bounds the error energy, and g is the settlement at a point under a unit force at this
-    /// point. The bound of |ū − u| is added. On Winkler ground u* = max(w* − g₀, q/k), with the exact deflection w*,
-    /// the initial gap g₀ and the load q on the ground. So the bound is that of the deflection plus a supplement. On a
-    /// piece in contact, the supplement is the largest tensile pressure divided by k. Out of contact, it is the largest
-    /// depth by which the beam penetrates the ground.
+    /// On ground with a shear layer, the proof replaces u by a settlement ū for which the beam does not penetrate the
+    /// ground. |ū − u*| is at most √(2E g), where E bounds the error energy, and g is the settlement at a point under
+    /// a unit force at this point. The bound of |ū − u| is added.
+    ///
+    /// On Winkler ground, u* = max(w* − g₀, q/k), where w* is the exact deflection, g₀ the initial gap, and q the
+    /// load on the ground. So the bound of |u − u*| is the error bound of the deflection plus a supplement. On a
+    /// piece in contact, the supplement is the largest tensile pressure divided by k. Out of contact, it is the
+    /// largest depth by which the beam penetrates the ground.
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
@@ -183,10 +185,11 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// Sets the error bounds of deflection and rotation on a part of the beam between hinges.
     ///
-    /// w is the claimed deflection, c the correction that makes w + c kinematically admissible, and e the error of w +
-    /// c. So the error of w is at most sup|e| + max|c|. ε_M bounds the error of the moment, and ε_κ = ε_M/EI that of
-    /// the curvature. With s and s_γ of [`Self::flexure`] and lengths h up to the length of the part, the error of the
-    /// rotation is at most
+    /// w is the claimed deflection, c the correction that makes w + c kinematically admissible, and e the error of
+    /// w + c. So the error of w is at most sup|e| + max|c|. ε_κ = ε_M/EI bounds the error of the curvature, where ε_M
+    /// bounds the error of the moment. [`Self::flexure`] computes s and s_γ: s bounds the L² norm of the derivative
+    /// of the rotation error, and s_γ bounds the L² norm of the shear strain error. For lengths h up to the length of
+    /// the part, the error of the rotation is at most
     ///
     /// ```text
     /// min_h {2 sup|e|/h + s_γ/√h + min(½h max(ε_κ + |c″|), s√(h/3))} + max|c′|.
@@ -225,9 +228,10 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Computes an error bound on a beam with shear deformation: in contact that of the pressure, out of contact that of
-/// μC″, where C is the clearance. `settled` and `bent` bound the errors of ku and φ′. `load` bounds |r| + |η′|, with
-/// the residual r of the transverse equilibrium and the misfit η = S(w′ − φ) − V of the claimed shear force V.
+/// Computes an error bound for a beam with shear deformation. In contact, it bounds the error of the pressure. Out of
+/// contact, it bounds the error of μC″, where C is the clearance. `settled` bounds the error of ku, and `bent` bounds
+/// the error of φ′, the derivative of the rotation. `load` bounds |r| + |η′|, where r is the residual of the
+/// transverse equilibrium, and η = S(w′ − φ) − V is the misfit of the claimed shear force V.
 fn sheared_pressure<S: Scalar>(
     [stiffness, axial, shear]: [S; 3],
     [settled, bent, load]: [Size; 3],
@@ -250,9 +254,9 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Takes random errors of ku and of φ′, the derivative of the rotation, and random residuals of the transverse
-    /// equilibrium. Checks that the error bound holds, and that it is attained for one choice of signs. In contact, the
-    /// bound is that of the pressure. Out of contact, it is that of μC″, where C is the clearance.
+    /// Checks the error bound of the pressure in contact, and that of μC″ out of contact, where C is the clearance.
+    /// Each bound must hold for random errors of ku and of φ′, the derivative of the rotation, and for random
+    /// residuals of the transverse equilibrium. One choice of their signs must attain the bound.
     #[test]
     fn the_pressure_bound_of_a_timoshenko_beam_is_sharp() {
         let mut random = numbers();
@@ -263,10 +267,10 @@ mod tests {
             for touches in [true, false] {
                 for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0]] {
                     let [u, bent, r] = [settled * signs[0], turned * signs[1], load * signs[2]];
-                    // Let w, φ, p, u and C be the errors of deflection, rotation, pressure, settlement and clearance.
-                    // They satisfy (S + P)w″ = Sφ′ + p + r, where r is the residual of the transverse equilibrium. In
-                    // contact p = ku − μw″. Out of contact p = 0 and μC″ = ku − μw″. The variable `u` is the product
-                    // ku, and `bent` is φ′.
+                    // Let w, φ, p, v and C be the errors of deflection, rotation, pressure, settlement and clearance.
+                    // They satisfy (S + P)w″ = Sφ′ + p + r. S is the shear stiffness of the beam, P the axial
+                    // tension, and r the residual of the transverse equilibrium. In contact, p = kv − μw″. Out of
+                    // contact, p = 0 and μC″ = kv − μw″. The variable `u` is kv, and `bent` is φ′.
                     let whole = stiffness + axial;
                     let curved = match touches {
                         true => (stiffness * bent + u + r) / (whole + shear),

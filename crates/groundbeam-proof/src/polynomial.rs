@@ -45,7 +45,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         let _ = const { N - M };
     }
 
-    /// A polynomial from at most N coefficients, the constant one first.
+    /// Creates a polynomial from at most N coefficients, in ascending order of the powers.
     pub fn from_coefficients(coefficients: impl IntoIterator<Item = S>) -> Self {
         let (mut len, mut c) = (0, [S::zero(); N]);
         for coefficient in coefficients {
@@ -106,7 +106,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         Size::of(raised(self.coefficients(), tau, S::size))
     }
 
-    /// Upper bound of the absolute value on |t| ≤ τ of the polynomial without its constant coefficient.
+    /// Upper bound of |p(t) − p(0)| for |t| ≤ τ, where p is this polynomial.
     pub fn tail(&self, tau: f64) -> Size {
         match self.coefficients() {
             [] => Size::ZERO,
@@ -179,7 +179,7 @@ impl<S: Scalar> Mul for &Polynomial<S> {
     }
 }
 
-/// Remaining numbers of interval halvings on the current piece and on all pieces together.
+/// Numbers of interval halvings that are still allowed: on the current piece, and on all pieces together.
 #[derive(Debug)]
 pub(crate) struct Budget {
     piece: usize,
@@ -189,7 +189,7 @@ pub(crate) struct Budget {
 impl Budget {
     /// Maximum number of interval halvings on one piece.
     const PIECE: usize = 4000;
-    /// Maximum number of interval halvings on all pieces, divided by the number of pieces.
+    /// Maximum number of interval halvings per piece, averaged over all pieces.
     const AVERAGE: usize = 200;
 
     pub fn new(pieces: usize) -> Self {
@@ -224,13 +224,16 @@ impl Below {
     pub const NOWHERE: Below = Below { depth: Size::ZERO, width: Size::ZERO };
 }
 
-/// Bounds the negative part of `p` − `less` on an interval.
+/// Bounds the negative part of q = `p` − `less` on an interval: how far q falls below zero, and the length on which q
+/// is negative.
 ///
-/// On an interval with the middle m and the half-width r, `p` is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, where cⱼ are the
-/// coefficients about m. If the derivative has one sign with |p′| ≥ σ > 0, the smallest value v is at an end, and the
-/// function is negative on a length of at most −v/σ. Otherwise the interval is halved. An interval is not halved if
-/// the value at its middle is nearly as low as the bound, if the depth is negligible, or if no halvings remain. Then
-/// the bound is accepted, and the function counts as negative on the whole interval.
+/// On an interval with the half-width r, q is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, where cⱼ are its coefficients about the
+/// middle of the interval. If the derivative has one sign with |q′| ≥ σ > 0, the smallest value v of q is at an end,
+/// and q is negative on a length of at most −v/σ. Otherwise the interval is halved.
+///
+/// An interval is not halved if q at its middle is nearly as low as the bound, if the bound lies below zero by a
+/// negligible amount, or if no halvings remain. Then the bound is accepted, and q counts as negative on the whole
+/// interval.
 pub(crate) fn below<C: Scalar>(
     p: &Polynomial<C>,
     less: Size,
@@ -290,8 +293,8 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // Accept `depth` as the bound of the negative part on this interval if `depth` is negligible or below the
-        // rounding error, or if halving the interval would reduce `depth` by little.
+        // Accept `depth` as the bound on how far the function falls below zero on this interval if `depth` is
+        // negligible or comparable with the rounding error, or if halving the interval would hardly reduce `depth`.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;
@@ -371,8 +374,8 @@ mod tests {
         assert_eq!(taken(&mut budget), 2000);
     }
 
-    /// p = s + 4s², with s = 1 + t/τ or s = 1 − t/τ, increases with s on |t| ≤ τ. So it is smaller than its value at
-    /// s = s₀ where 0 ≤ s < s₀, on an interval of length τs₀.
+    /// Let p = s + 4s², with s = 1 + t/τ or s = 1 − t/τ. On |t| ≤ τ, s lies between 0 and 2, and p increases with s.
+    /// So p is smaller than its value at s = s₀ exactly for s < s₀. In t, this interval has the length τs₀.
     #[test]
     fn the_negative_part_of_a_monotone_function_is_found_by_bisection() {
         for (sign, tau) in [(1.0, 1.0), (-1.0, 1.0), (1.0, 1e-10), (-1.0, 1e-10)] {
@@ -389,7 +392,8 @@ mod tests {
         }
     }
 
-    /// The bound of a constant negative function, −1 − ½, is exact on the whole interval, which is not halved.
+    /// For the constant negative function −1 − ½ = −1.5, the bound on the whole interval is exact, so the interval is
+    /// not halved.
     #[test]
     fn a_constant_function_needs_no_halving() {
         let field = <Polynomial<Ball>>::from_coefficients([Ball::of(-1.0)]);
@@ -399,7 +403,8 @@ mod tests {
         assert_eq!((0..1000).filter(|_| budget.take()).count(), 200);
     }
 
-    /// Σ|cⱼ|τʲ is not rounded down among the smallest numbers: 2⁻¹⁰²⁰, half of 2⁻¹⁰⁷⁴, 1.75·2⁻¹⁰²¹ and 10⁻³⁴⁰.
+    /// Checks that Σ|cⱼ|τʲ, the bound of a polynomial with the coefficients cⱼ on |t| ≤ τ, is not rounded down, even
+    /// if it is close to the smallest positive double or below it.
     #[test]
     fn a_sum_of_the_smallest_numbers_is_rounded_up() {
         let power = |n: i32| 2.0_f64.powi(500 + n) * 2.0_f64.powi(-500);

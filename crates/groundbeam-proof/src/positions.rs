@@ -7,7 +7,7 @@ use crate::units::Units;
 
 /// Maximum distance of a position of the model from its node, as a fraction of the beam's length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
-/// Minimum distance of two positions of the model, as a fraction of the beam's length.
+/// Minimum distance between two positions of the model, as a fraction of the beam's length.
 const APART: f64 = 32.0 * f64::EPSILON;
 /// Minimum length of a piece, as a fraction of the beam's length.
 const SHORTEST: f64 = 1e-20;
@@ -179,7 +179,8 @@ mod tests {
         }
     }
 
-    /// A beam with the length 1.5 and the first three nodes 0, `second` and `third`.
+    /// Whether the pieces of a beam of length 1.5 are accepted as long enough. The first three nodes are at 0,
+    /// `second` and `third`, and the last node is at 1.5.
     fn is_long_enough(second: f64, third: f64) -> bool {
         let ends = [0.0, second, third, 1.5];
         let piece = |x: &[f64]| Piece { x: [x[0], x[1]], ..Piece::default() };
@@ -189,7 +190,7 @@ mod tests {
         positions.exact().is_ok()
     }
 
-    /// The shortest piece has the length 10⁻²⁰ · 1.5.
+    /// The beam is 1.5 long, so each piece must be at least 1.5·10⁻²⁰ long: 10⁻²⁰ times the length of the beam.
     #[test]
     fn a_piece_has_a_least_length() {
         for (second, third, long) in [

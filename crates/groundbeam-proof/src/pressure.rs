@@ -71,8 +71,9 @@ pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         .sum()
 }
 
-/// Upper bound of the energy norm of the ground's displacement due to the tensile pressure. It is Σ η(ω/k)^½ over the
-/// pieces, with the largest tensile pressure η on the length ω.
+/// Upper bound of the energy norm of the ground's displacement due to the tensile pressure: the sum of η(ω/k)^½ over
+/// the pieces. η is the largest tensile pressure on a piece, and ω bounds the length on which the pressure is
+/// tensile.
 pub(crate) fn tension_norm<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
     let pieces = frame.spans.iter().zip(pressures);
     pieces.map(|(span, p)| p.depth * p.width.over(span.spring.low()).root()).sum()

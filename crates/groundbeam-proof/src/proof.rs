@@ -47,7 +47,7 @@ impl Proof {
     /// The first reason why the claimed solution is not proven; `None` if it is proven.
     ///
     /// A claimed solution is proven if an exact solution exists and is unique, if the contact set and the active
-    /// supports are proven, and if every error is at most 10⁻⁶ of its scale.
+    /// supports are proven, and if the error bound of every quantity is at most 10⁻⁶ of the scale of this quantity.
     pub fn shortfall(&self) -> Option<NotProven> {
         if !(self.bounds.deflection.error < f64::INFINITY) {
             return Some(NotProven::new(
@@ -135,7 +135,9 @@ fn of_fields<S: Scalar>(
     }
     let (energy, balanced) = fields.energy()?;
     if !(energy.value() < f64::INFINITY) {
-        return Err(NotProven::new("the bound of the error energy is infinite"));
+        return Err(NotProven::new(
+            "the bound on the energy of the claimed solution's error is infinite",
+        ));
     }
     let pointwise = Pointwise { fields, balanced: &balanced, energy };
     let mut pieces = pointwise.bounds();
@@ -193,8 +195,9 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.settlement += match &fields.surface.pieces[i].along {
                 Some(along) => (*stored - along).size(span.tau),
                 None if span.touches => (*stored - &span.obstacle()).size(span.tau),
-                // y, the stored minus the computed settlement, satisfies ky − (μy′)′ = ρ with the residual ρ of the
-                // stored settlement. So |y| is at most max|ρ|/k plus the larger |y| at the two ends.
+                // The difference y between the stored and the computed settlement satisfies ky − (μy′)′ = ρ, where ρ
+                // is the residual of the stored settlement. By the maximum principle, |y| is at most max|ρ|/k plus
+                // the larger |y| at the two ends of the piece.
                 None => {
                     let missed = span.missed_by(stored).size(span.tau);
                     off_the_ends(span.t.map(|t| stored.value(t))) + missed.over(span.spring.low())
@@ -351,8 +354,10 @@ mod tests {
         }
     }
 
-    /// Winkler ground with k = 2 that is out of contact settles by u = ½ under a distributed load of 1. If the claimed
-    /// solution stores another settlement, its difference from ½ is added to the error bound.
+    /// Winkler ground with k = 2 that is out of contact settles by u = ½ under a distributed load of 1. If the
+    /// claimed solution stores other end values `open` of u, their largest difference from ½ is added to the error
+    /// bound. A constant `settlement` adds its difference from ½ twice: once at the ends, and once as a residual of
+    /// the ground equation.
     #[test]
     fn a_stored_surface_of_open_springs_adds_its_error() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 0\n\
@@ -372,7 +377,7 @@ mod tests {
             (json!({"open": [-0.5, 0.5]}), 1.0),
             (json!({"settlement": [0.5]}), 0.0),
             (json!({"settlement": [0.75]}), 0.5),
-            // The settlement w − g₀ = −1 would be exact only in contact, but this ground is out of contact.
+            // The settlement equals w − g₀ = −1 only in contact, but this ground is out of contact.
             (json!({"settlement": [-1.0]}), 3.0),
         ] {
             let document = piece(stored);

@@ -1,14 +1,16 @@
-//! Bounds of the error of the reactions of supports.
+//! Bounds of the errors of the reactions of supports.
 //!
-//! E bounds the error energy, and K² is the energy of a test function z, as in `test_functions.rs`. w is the claimed
-//! and w* the exact deflection, and c is the correction that makes w + c kinematically admissible. The proof balances
-//! residual forces: it changes the force of a rigid support by λW and the moment of a clamp by λ′W_θ, with weights W
-//! and W_θ and a function λ.
+//! E bounds the error energy. K² is the energy of a test function z, as in `test_functions.rs`. w is the claimed
+//! deflection, w* the exact deflection, and c the correction that makes w + c kinematically admissible. The proof
+//! balances residual forces: it changes the contact pressure p by λp, the force of a rigid support by λW, and the
+//! moment of a clamp by λ′W_θ. The factor λ is a function of the position with the slope λ′, and W and W_θ are
+//! weights of the supports.
 //!
 //! * The force of a spring with the stiffness κ has an error of at most κ|w − w*|, and also of at most √(2Eκ) + κ|c|.
-//! * The force of a rigid support has an error of at most √(2E) K + W|λ|, with z = 1 at the support and z = 0 at all
-//!   other rigid supports.
-//! * The moment of a clamp has an error of at most √(2E) K + W_θ|λ′|, with z′ = 1 at the clamp.
+//! * The force of a rigid support has an error of at most √(2E) K + W|λ|. The test function z is 1 at this support
+//!   and 0 at all other rigid supports.
+//! * The moment of a clamp has an error of at most √(2E) K + W_θ|λ′|. The slope z′ of the test function is 1 at the
+//!   clamp.
 
 use crate::frame::Held;
 use crate::model::Acts;
@@ -18,7 +20,7 @@ use crate::size::Size;
 use crate::test_functions::{kink, least_of_halves};
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Bounds of the errors of force and moment of each support of the model.
+    /// Returns the error bounds of the reaction force and of the reaction moment of each support of the model.
     pub fn reactions(&self, bounds: &[PieceBounds]) -> Vec<[Size; 2]> {
         let frame = self.fields.frame;
         let rigid_at = |node: usize| {
@@ -51,8 +53,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         bounds: &[PieceBounds],
     ) -> [Size; 2] {
         let [w, slope] = self.fields.deflection.at_support(node);
-        // The deflection and rotation of this piece act on the spring. At a hinge, the error bounds of the
-        // neighbouring piece can differ.
+        // The spring forces follow from the deflection and rotation of one adjacent piece, so the error bounds of
+        // this piece are used. At a hinge, the other adjacent piece can have different bounds.
         let [piece, _] = self.fields.deflection.felt[node];
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];
@@ -210,9 +212,11 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// The smallest energy K² of the test functions z = 1 − 3τ² + 2τ³ with τ = t/h, over lengths h up to `available`. t is
-/// the distance from a support, and P is the tension. For a given h, K² is at most 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 +
-/// Σκ + Σκ_θ(3/(2h))², with the stiffnesses κ of translational and κ_θ of rotational springs.
+/// Returns the smallest bound of the energy K² of the test function z = 1 − 3τ² + 2τ³ over its lengths h up to
+/// `available`. Here τ = t/h, and t is the distance from a support.
+///
+/// For one length h, the bound is 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σκ + Σκ_θ(3/(2h))². P is the axial tension, and
+/// κ and κ_θ are the stiffnesses of the translational and of the rotational springs.
 fn lift(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -265,10 +269,11 @@ mod tests {
         }
     }
 
-    /// At w = ½ and w′ = ⅛, a support with the springs κ = 4 and κ_θ = 8 has the force κw = 2 and the moment −κ_θw′ =
-    /// −1. The error of the force is at most κε_w and at most (2Eκ)^½, with the error bound ε_w of w and the bound E of
-    /// the error energy. The error of the moment is at most κ_θε_φ and at most (2Eκ_θ)^½, with the error bound ε_φ of
-    /// the rotation. The difference between the claimed reaction and these values is added.
+    /// At the deflection w = ½ and the rotation w′ = ⅛, a support with the springs κ = 4 and κ_θ = 8 has the force κw
+    /// = 2 and the moment −κ_θw′ = −1. ε_w and ε_φ bound the errors of deflection and rotation, and E bounds the
+    /// error energy. The error bound of the force is the smaller of κε_w and (2Eκ)^½. The error bound of the moment
+    /// is the smaller of κ_θε_φ and (2Eκ_θ)^½. The differences of the claimed force from 2 and of the claimed moment
+    /// from −1 are added to these bounds.
     #[test]
     fn the_error_of_a_spring_follows_from_the_deflection_or_from_the_energy() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n\
@@ -294,9 +299,9 @@ mod tests {
         }
     }
 
-    /// The moment of the only clamp of a stiff beam is bounded with the test function z = x − x_i, a rotation of the
-    /// whole beam about the clamp at x_i. The bound of its energy is K² = kl³, the largest k(x − x_i)² times the length
-    /// l.
+    /// The moment of the only clamp of a stiff beam is bounded by means of the test function z = x − x_i, a rotation
+    /// of the whole beam about the clamp at x_i. The energy of z is at most K² = kl³: the largest value kl² of
+    /// k(x − x_i)², times the length l.
     #[test]
     fn the_moment_of_a_single_clamp_is_tested_by_a_rotation_about_it() {
         for at in [0.0, 1.5] {

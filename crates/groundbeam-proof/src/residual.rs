@@ -1,16 +1,17 @@
 //! The residual of equilibrium (3.12) of the claimed deflection and pressures, on pieces and at nodes.
 //!
 //! M = −EI(φ′ − κ₀) is the bending moment, with the rotation φ of the cross-sections and the imposed curvature κ₀.
-//! V = M′ − g is the shear force, and T = V + Pw′ the transverse force under the axial tension P. The residuals are
+//! V = M′ − g is the shear force, with the distributed moment load g on the beam. T = V + Pw′ is the transverse force,
+//! with the axial tension P and the slope w′ of the beam. The residuals are
 //!
 //! ```text
 //! r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
 //! ```
 //!
-//! f and g are the distributed forces and moments, and F_i and M₀_i the point forces and moments. a_i are the contact
-//! forces at the nodes, and R_i and R_θi the forces and moments of the supports. Square brackets denote jumps at the
-//! nodes. φ = w′ where the beam has no shear deformation. A moment M + δ is in equilibrium with the loads if δ″ = −r on
-//! the pieces, and [δ′]_i = −r_i and [δ]_i = q_i at the nodes.
+//! f is the distributed load on the beam, and p the contact pressure. F_i and M₀_i are the point forces and moments, a_i
+//! the contact forces, and R_i and R_θi the forces and moments of the supports at the nodes. Square brackets denote
+//! jumps at the nodes. φ = w′ where the beam has no shear deformation. A moment M + δ is in equilibrium with the loads
+//! if δ″ = −r on the pieces, and [δ′]_i = −r_i and [δ]_i = q_i at the nodes.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -24,7 +25,7 @@ use crate::size::Size;
 /// The residual of equilibrium on one piece.
 #[derive(Debug)]
 pub(crate) struct PieceResidual<S> {
-    /// ∫r.
+    /// Integral of the residual r over the piece.
     pub force: S,
     /// ∫r(x)(X_R − x), the moment of the residual about the right end X_R of the piece.
     pub moment: S,
@@ -32,9 +33,9 @@ pub(crate) struct PieceResidual<S> {
     /// of r.
     pub constant: S,
     pub rest: Size,
-    /// M at both ends.
+    /// Bending moment M at both ends of the piece.
     pub bending: [S; 2],
-    /// T at both ends.
+    /// Transverse force T at both ends of the piece.
     pub shear: [S; 2],
     /// Bounds of the misfit η = S(w′ − φ) − V of the shear force V, and of η′; zero without shear deformation.
     pub misfit: [Size; 2],

@@ -13,8 +13,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Whether it is proven that, in the exact solution, the beam lies on the ground without pressure on the whole
-    /// piece, at the height of a clamp.
+    /// Whether it is proven for the whole piece that the exact deflection equals the settlement of a clamp, and that
+    /// the beam touches the ground there without pressure.
     pub(crate) fn rests(&self, piece: usize) -> bool {
         let frame = self.fields.frame;
         let last = frame.spans.len();
@@ -37,8 +37,8 @@ fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     level && none(&span.force) && none(&span.moment) && none(&span.curvature)
 }
 
-/// Whether a resting part with w = `height` may end at a node: at a two-way clamp with the settlement `height`, or
-/// at a free end without load.
+/// Whether a part of the beam that rests on the ground at the constant deflection `height` may end at a node. The node
+/// must be a clamp with the settlement `height` that acts in both directions, or must have no load, support or hinge.
 fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
     match node.clamped {
         true => node.rigid == Some(height) && node.acts == Acts::Both,
@@ -78,7 +78,8 @@ mod tests {
             (level.to_owned(), [false, false]),
             (clamp(0.0, 0.25), [false, false]),
             (clamp(0.0, 0.25) + "[[gap]]\nat = 0\nvalue = 0.5\n", [false, false]),
-            // The ground slopes. Its height equals that of the clamp only in the middle of each piece.
+            // The initial gap is linear on each of the two pieces. It equals the settlement of the clamp only in the
+            // middle of each piece.
             (
                 clamp(0.0, 0.25)
                     + "[[gap]]\nat = 0\nvalue = 0\n[[gap]]\nat = 0.5\nvalue = 0.5\n[[gap]]\nat = 1\nvalue = 0\n",

@@ -1,4 +1,4 @@
-//! Bounds the positions of the contact edges on each piece of a shear layer, without a bound of the slope of the beam.
+//! Bounds the positions of the contact edges on each piece with a shear layer, without a bound of the slope of the beam.
 //!
 //! On a beam with shear deformation, the bound of the slope needs a bound of the shear force. The bound of the shear
 //! force needs the lengths on which the beam is in contact in only one of the two solutions, the exact or the claimed.
@@ -20,8 +20,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Returns bounds of the positions of the contact edges on every piece of a shear layer. The error bound of the
-    /// concentrated contact force is zero at nodes out of contact and infinite at nodes in contact.
+    /// Returns bounds of the positions of the contact edges on every piece of the beam over a shear layer. The error
+    /// bound of a concentrated contact force is zero at a node out of contact, and infinite at a node in contact.
     pub fn roughly(&self) -> Shown {
         let frame = self.fields.frame;
         let mut shown = Shown::nothing(frame.nodes.len());
@@ -151,10 +151,10 @@ mod tests {
         PieceBounds { settlement, deflection, pressure, ..PieceBounds::EXACT }
     }
 
-    /// Checks the bound x of the length on which the beam may be out of contact in the exact solution, for a linear
-    /// pressure p. ε_C and ε_p are the error bounds of the clearance and of p, and μ is the stiffness of the shear
-    /// layer. m₁ and m₄ are the smallest values of p − ε_p up to the distances x and 4x from the end of the piece. x
-    /// must lie between (2ε_Cμ/m₁)^½ and (2ε_Cμ/m₄)^½.
+    /// `opened_at` computes a bound x of the length at an end of a piece on which the beam may be out of contact in the
+    /// exact solution. Let ε_C be the error bound of the clearance, ε_p that of the linear pressure p, and μ the
+    /// stiffness of the shear layer. m₁ and m₄ are the minima of p − ε_p on the lengths x and 4x next to the end. The
+    /// tried lengths grow by the factor 4, so x must lie between (2ε_Cμ/m₁)^½ and (2ε_Cμ/m₄)^½.
     #[test]
     fn the_open_length_follows_from_the_smallest_pressure_on_it() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 3\n";
@@ -189,10 +189,11 @@ mod tests {
         }
     }
 
-    /// The beam w = 2 − x is in contact up to x = 1 with the pressure p = 2 − x. Beyond x = 1 the clearance is
-    /// exp(1 − x) − (2 − x), about ½(x − 1)². Let ε_C be the error bound of the clearance. In the exact solution, the
-    /// beam may be in contact up to the distance (2ε_C)^½ beyond x = 1. It may be out of contact within the distance
-    /// (2ε_C/p)^½ of each end of a piece in contact. The mirrored beam has the same bounds.
+    /// The claimed deflection is w = 2 − x, with contact and the pressure p = 2 − x up to x = 1. Beyond x = 1, the
+    /// ground surface is u = exp(1 − x), so the clearance u − w is about ½(x − 1)². Let ε_C be the error bound of the
+    /// clearance. In the exact solution, the contact may extend by up to (2ε_C)^½ beyond x = 1. Next to an end of a
+    /// piece in contact, the beam may be out of contact on a length of up to (2ε_C/p)^½, where p is the pressure at
+    /// this end. The mirror image of the beam has the same bounds.
     #[test]
     fn the_ends_of_all_pieces_have_bounds_of_the_contact() {
         let model = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -250,9 +251,9 @@ mod tests {
                 let sharp = found <= 2.6 * exact || (exact > 0.05 && found < 0.501);
                 assert!(exact <= found && sharp, "{edge:?} {exact}");
             }
-            // `outside` is 1.5 times the first tried distance from the edge at which the clearance exceeds `off`. The
-            // distance tried before is shorter by the factor 1.5, and the clearance there does not exceed `off`. For a
-            // small `off`, the rounding error of the clearance is too large for this check.
+            // The tried distances from the edge grow by the factor 1.5. At the distance `within`, the clearance exceeds
+            // its error bound `off` for the first time; at the previous distance `last`, it does not. `outside` is 1.5
+            // times `within`. For a very small `off`, the rounding error of the clearance is too large for this check.
             let [within, last] = [1.5, 2.25].map(|part| edge.outside.value() / part);
             let clearance = |y: f64| (-y).exp() - 1.0 + y;
             let is_first = clearance(within) > off && clearance(last) < 1.001 * off;
@@ -260,8 +261,9 @@ mod tests {
         }
     }
 
-    /// A piece in contact has bounds only if the pressure exceeds its error bound on the whole piece. A piece out of
-    /// contact has bounds only if the clearance exceeds its error bound away from the ends of the piece.
+    /// On a piece in contact, the positions of the contact edges have bounds only if the pressure exceeds its error
+    /// bound everywhere. On a piece out of contact, they have bounds only if the clearance exceeds its error bound,
+    /// except near the ends of the piece.
     #[test]
     fn contact_without_a_bound_is_told() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

@@ -1,4 +1,4 @@
-//! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for enclosures, which make the proof a theorem.
+//! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for enclosures, which make the proof rigorous.
 
 use crate::decimal::Decimal;
 use crate::float::{HUGE, scale};
@@ -132,7 +132,7 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     e
 }
 
-/// A ball that contains max(x, 0) for every x in a ball.
+/// Returns a ball that contains max(y, 0) for every number y in the ball `x`.
 pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
     if x.low() >= 0.0 {
         x

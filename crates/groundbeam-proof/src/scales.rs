@@ -16,15 +16,17 @@ pub(crate) struct FieldScales {
     /// Scale of the slope: the larger of max|w′| and U/Λ, with the scale U of the deflection and the characteristic
     /// length Λ.
     pub slope: f64,
-    /// Scale of the bending moment: the largest of max|M|, Λ² max p and F₀Λ, with the largest load or reaction F₀ and
-    /// the characteristic length Λ.
+    /// Scale of the bending moment: the largest of max|M|, Λ² max p and F₀Λ, with the bending moment M, the contact
+    /// pressure p, the largest load or reaction F₀ and the characteristic length Λ.
     pub moment: f64,
-    /// Scale of the shear force: the largest of max|V|, Λ max p and F₀, with the largest load or reaction F₀ and the
-    /// characteristic length Λ.
+    /// Scale of the shear force: the largest of max|V|, Λ max p and F₀, with the shear force V, the contact pressure p,
+    /// the largest load or reaction F₀ and the characteristic length Λ.
     pub shear_force: f64,
-    /// Scale of the pressure: the larger of max p and U max k, with the scale U of the deflection.
+    /// Scale of the pressure: the maximum contact pressure, or the maximum subgrade modulus times the scale of the
+    /// deflection if this product is larger.
     pub pressure: f64,
-    /// Scale of the forces: the larger of the sum of all loads and the largest load or reaction, all converted to forces.
+    /// Scale of the forces: the sum of all loads, or the largest single load or reaction if it is larger. Moments are
+    /// divided by the characteristic length Λ.
     pub force: f64,
     /// Scale of the moments of supports: `force` times the characteristic length Λ.
     pub turning: f64,
@@ -43,8 +45,7 @@ struct Largest {
 }
 
 impl FieldScales {
-    /// Computes the scales. Λ is the smaller of the length and the largest (4EI/k)^¼. F₀ is the largest single
-    /// load or reaction, converted to a force.
+    /// Computes the scales of all fields from the claimed solution, its error bounds and the loads.
     pub fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
         let most = Largest::of(fields, bounds);
         let wave = wave(fields);
@@ -120,7 +121,8 @@ fn shown<S: Scalar>(claimed: S, error: Size) -> f64 {
     (value - error.value()).next_down()
 }
 
-/// Characteristic length Λ: the smaller of the length of the beam and the largest (4EI/k)^¼, slightly reduced.
+/// Lower bound of the characteristic length Λ, which is the smaller of the length of the beam and the largest
+/// (4EI/k)^¼.
 fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     let spans = fields.frame.spans.iter();
     let waves = spans.map(|span| (4.0 * span.bending.low() / span.spring.high()).sqrt().sqrt());

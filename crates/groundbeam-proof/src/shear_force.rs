@@ -53,7 +53,8 @@ const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 /// Bounds of the error of the contact pressure on one piece.
 #[derive(Clone, Copy)]
 struct LoadError {
-    /// Bound of the error of the pressure, outside the lengths that belong to `edges`.
+    /// Bound of the error of the pressure where the exact and the claimed solution are both in contact or both out of
+    /// contact.
     spread: Size,
     /// Bound of the error of the contact force on the lengths where the beam is in contact in only one of the two
     /// solutions, the exact or the claimed one.
@@ -100,9 +101,9 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 
     /// Lowers the error bounds of the shear force V and, with shear deformation, of the slope w′. `all` is an error
-    /// bound of T − Pφ, with the transverse force T, the tension P and the rotation φ. Without shear deformation,
-    /// T − Pφ is the shear force. With the error bound ε_φ of φ and the misfit η = S(w′ − φ) − V, the error bounds ε_V of
-    /// V and ε_θ of w′ are
+    /// bound of T − Pφ, where T is the transverse force, P the axial tension and φ the rotation. Without shear
+    /// deformation, T − Pφ equals V. With shear deformation, S is the shear stiffness, η = S(w′ − φ) − V the misfit of
+    /// the claimed shear force, and ε_φ the error bound of φ. The error bounds ε_V of V and ε_θ of w′ are then
     ///
     /// ```text
     /// ε_V = (all + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
@@ -120,26 +121,27 @@ impl<S: Scalar> Pointwise<'_, S> {
         bounds.slope = bounds.slope.least(slope);
     }
 
-    /// |P||η|/S.
+    /// Upper bound of |P||η|/S on a piece, with the axial force P, the misfit η = S(w′ − φ) − V of the claimed shear
+    /// force V, and the shear stiffness S.
     fn slid(&self, i: usize) -> Size {
         let stiffness = self.fields.frame.spans[i].stiffness.as_ref();
         let misfit = self.fields.residual.pieces[i].misfit[0];
         stiffness.map_or(Size::ZERO, |s| self.axial_size() * misfit.over(s.low()))
     }
 
-    /// A lower bound of 1 + P/S.
+    /// A lower bound of 1 + P/S, with the axial tension P and the shear stiffness S of the beam.
     pub(crate) fn stiffened(&self, stiffness: &Coefficient<S>) -> f64 {
         let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
         let worst = if axial.low() > 0.0 { stiffness.high() } else { stiffness.low() };
         (S::one() + axial.div(S::of(worst))).low()
     }
 
-    /// |P|.
+    /// Upper bound of the absolute value of the axial force.
     pub(crate) fn axial_size(&self) -> Size {
         Size::of(self.fields.frame.axial_force().map_or(0.0, S::size))
     }
 
-    /// |δ′| on a piece.
+    /// Upper bound of |δ′| on a piece, where δ is the moment that balances the residual of equilibrium.
     pub(crate) fn balancing_shear(&self, i: usize) -> Size {
         let [a, b] = self.balanced.pieces[i].shears.map(|shear| Size::of(shear.size()));
         let long = self.fields.frame.spans[i].length();
@@ -159,9 +161,10 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// Error bound of the shear force by formula (15a) of docs/proof.md, without its first terms |δ′| + |β|. `window`
-    /// is a range of pieces; (15a) takes the mean of the error over a part of this range. The bound is infinite if the
-    /// beam has no axial force, if a hinge lies inside the window, or if a piece of the window has shear deformation.
+    /// Error bound of the shear force by formula (15a) of docs/proof.md, without the first two terms of the formula.
+    /// The formula averages the error of the shear force over a length inside `window`, which is a range of pieces. The
+    /// bound is infinite if the beam has no axial force, if a hinge lies inside the window, or if a piece of the window
+    /// has shear deformation.
     fn directly(
         &self,
         window: Range<usize>,
@@ -238,8 +241,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         // In the exact solution, the beam may be in contact on the length `outside` beyond an edge of the claimed
         // contact, or out of contact on the length `inside` before this edge.
         for edge in &shown.edges {
-            // `outer` and `inner` are the pieces on both sides of the edge. `outside` is positive only if `outer` is
-            // out of contact, and `inside` only if `inner` is in contact.
+            // `outer` is the piece next to the edge outside the claimed contact region, and `inner` the piece inside.
+            // If the edge is an end of the beam, one of these pieces does not exist, and the length `outside` or
+            // `inside` on this side is zero.
             let [outer, inner] = match edge.side {
                 0 => [edge.node.wrapping_sub(1), edge.node],
                 _ => [edge.node, edge.node.wrapping_sub(1)],
@@ -274,9 +278,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// Returns an upper bound of |ku − q − (μψ′)′|, see `open_pressure`, within the given `distance` of one end of the
-    /// piece. From this end, u − q/k (settlement minus free-field settlement) changes by at most `distance` times its
-    /// largest slope. The largest slope occurs at an end of the piece.
+    /// Returns the bound of `open_pressure` for the part of a piece within the given `distance` of one of its ends. On
+    /// this part, the settlement minus the free-field settlement differs from its value at the end by at most
+    /// `distance` times its largest slope. The largest slope occurs at an end of the piece.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {

@@ -1,7 +1,9 @@
 //! The energy of the error of the shear force on a beam with shear deformation, a part of the energy bound E.
 //!
-//! V = M′ − g is the claimed shear force, with the distributed moment g. The misfit η = S(w′ − φ) − V compares V with
-//! the claimed shear deformation w′ − φ. δ is the moment that balances the residual of equilibrium. The energy is
+//! V = M′ − g is the claimed shear force, with the claimed bending moment M and the distributed moment load g. S is the
+//! shear stiffness of the beam, w′ the slope and φ the rotation of the cross-sections. The misfit η = S(w′ − φ) − V
+//! compares V with the claimed shear deformation w′ − φ. δ is the moment that balances the residual of equilibrium. The
+//! energy is
 //!
 //! ```text
 //! ½∫(η − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)²,   ‖x‖² = ∫x²/S.
@@ -13,9 +15,9 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Computes (‖η‖ + ‖δ′‖)² over the pieces with shear deformation, with ‖x‖² = ∫x²/S and the shear stiffness S. η is the
-/// misfit S(w′ − φ) − V of the claimed shear force V, and δ′ the shear force that balances the residual of equilibrium.
-/// Both are bounded on each piece.
+/// Computes an upper bound of (‖η‖ + ‖δ′‖)² over the pieces with shear deformation, where ‖x‖² = ∫x²/S and S is the
+/// shear stiffness. η is the misfit S(w′ − φ) − V of the claimed shear force V, and δ′ the shear force that balances
+/// the residual of equilibrium.
 pub(crate) fn shearing_energy<S: Scalar>(
     frame: &Frame<S>,
     residual: &Residual<S>,
@@ -33,12 +35,13 @@ pub(crate) fn shearing_energy<S: Scalar>(
     (misfit.root() + balancing.root()).square()
 }
 
-/// Bound of the norm (∫δ′²)^½ of the balancing shear force δ′ on a piece of length h, with the values a and b at the
-/// ends.
+/// Bound of the norm (∫δ′²)^½ on a piece of length h, where δ′ is the shear force that balances the residual of
+/// equilibrium.
 ///
-/// δ′ has three parts. The first part is the linear function through a and b. The second part is at most ½hR, because
-/// δ″ differs from a constant by at most R = `rest`. The third part is the effect of the redistributed forces, at most
-/// Δ′ = `added`. So the bound is
+/// δ′ has three parts. The first part is the linear function with the values a and b at the ends of the piece. The
+/// second part is at most ½hR, because δ″ differs from a constant by at most R = `rest`. The third part is the shear
+/// force due to the redistribution of residual forces over pressures and supports, at most Δ′ = `added`. So the bound
+/// is
 ///
 /// ```text
 /// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.
@@ -57,8 +60,9 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Computes δ′ for δ″ = C − r with r = c₁t + c₂t² + c₃t³ on |t| ≤ 1. The constant C follows from the values a and
-    /// b of δ′ at the ends. `half` is half the length of the piece.
+    /// Computes the shear force δ′ at the coordinate t on a piece with |t| ≤ 1, from its derivative δ″ = C − r with
+    /// respect to x. r = c₁t + c₂t² + c₃t³ is the varying part of the residual. The constant C follows from the values
+    /// a and b of δ′ at the ends of the piece. `half` is half the length of the piece.
     fn shear(c: &[f64; 3], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
         let once = |t: f64| {
             let terms = c.iter().enumerate();

@@ -55,7 +55,7 @@ impl Size {
     }
 }
 
-/// Returns the next larger double of a nonnegative double. Infinity and NaN remain unchanged.
+/// Returns the smallest double that is larger than the nonnegative double `x`. Infinity and NaN remain unchanged.
 fn up(x: f64) -> f64 {
     f64::from_bits(x.to_bits() + u64::from(x < f64::INFINITY))
 }

@@ -36,10 +36,14 @@ impl<S: Scalar> Contact<'_, S> {
                 if (!edges[side] || steps) && !stands {
                     continue;
                 }
-                let (theta, to) =
-                    self.zone(i, side, &field, more(self.bounds[i].deflection)).ok_or_else(
-                        || self.failed("the position of a region's edge has no bound", i + side),
-                    )?;
+                let (theta, to) = self
+                    .zone(i, side, &field, more(self.bounds[i].deflection))
+                    .ok_or_else(|| {
+                        self.failed(
+                            "no error bound is proven for the position of a contact edge",
+                            i + side,
+                        )
+                    })?;
                 interval[side] = to;
                 shown.zones.push(Zone { piece: i, side, theta });
                 // The position of an edge of contact is uncertain by `theta`. At a rigid support on the surface of the
@@ -87,7 +91,7 @@ impl<S: Scalar> Contact<'_, S> {
         if span.touches { field } else { field.times(-S::one()) }.coarse()
     }
 
-    /// Whether the end of a piece is a rigid two-way support whose settlement equals the initial gap.
+    /// Whether there is a rigid two-way support at this end of the piece whose settlement equals the initial gap there.
     pub(crate) fn stands(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let gap = span.gap.value(span.t[side]);
@@ -103,9 +107,9 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
-    /// Finds a short zone beside a rigid support at the height of the ground, on an open piece of a shear layer. In
-    /// the exact solution, the beam lies above the initial surface of the ground in this zone. Loads on the ground
-    /// act downward, so the ground does not rise, and the beam is not in contact.
+    /// Finds a short zone beside a rigid support, on a piece out of contact over a shear layer. The support must hold
+    /// the beam at the initial surface of the ground. In the exact solution, the beam lies above this surface in the
+    /// zone. Loads on the ground act downward, so the ground does not rise, and the beam is not in contact.
     pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
         let bounds = &self.bounds[i];
         let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
@@ -213,9 +217,10 @@ mod tests {
     /// w = −¼(1 − t²).
     const HOLLOW: Claimed = (false, [-0.25, 0.0, 0.25]);
 
-    /// The claimed deflection w crosses the surface of the ground at x = ½ and x = ¾ with the slopes −4 and 4. At a
-    /// distance of 0.005 from these positions, |w − g₀| is about 0.02, more than the error bound 0.01 of w. So each
-    /// edge is known to within 0.005. The check begins at x = ¼, so the first region begins there too.
+    /// The claimed deflection w crosses the ground surface w = 0 at x = ½ with the slope −4, and at x = ¾ with the
+    /// slope 4. At the distance 0.005 from these positions, |w| is about 0.02, more than the error bound 0.01 of w. So
+    /// the position of each edge is known to within 0.005. The test examines the pieces from x = ¼ on, so the first
+    /// contact region begins there.
     #[test]
     fn edges_lie_where_the_beam_crosses_the_ground() {
         with_pieces(&[RISING, FALLING, HOLLOW, RISING], "", |fields| {
@@ -231,15 +236,16 @@ mod tests {
                 let near = [0, 1].map(|i: usize| (found[i] - exact[i]).abs() < 1e-5);
                 assert!(near == [true; 2] && found[0] <= exact[0], "{found:?} {exact:?}");
             }
-            // If the error bound of the slope is 4.5, more than the slope 4 itself, the position of the first edge has
-            // no bound.
+            // If the error bound of the slope is 4.5, more than the slope 4 itself, no error bound is proven for the
+            // position of the first edge.
             let (_, refused) = found(fields, 1, &errors(4, [0.01, 4.5]));
             assert_eq!(refused.and_then(|why| why.at), Some(0.5));
         });
     }
 
-    /// Contact on a piece is proven only if w − g₀ exceeds the error bound of w on the whole piece. If w − g₀ is zero
-    /// between two pieces in contact, their contact is not proven.
+    /// A piece is proven to be in contact or out of contact only if |w − g₀| exceeds the error bound of w on the whole
+    /// piece, with the deflection w and the initial gap g₀. The proof fails if w − g₀ is zero at the common end of two
+    /// pieces in contact.
     #[test]
     fn a_beam_near_the_surface_has_no_contact_set() {
         for (pieces, proven) in [
@@ -294,8 +300,8 @@ mod tests {
         for case in 0..2000 {
             let (side, clamped) = (case % 2, case % 4 < 2);
             let inward = [1.0, -1.0][side];
-            // `c` contains the coefficients of a polynomial in the distance from the end of the piece, measured in the
-            // coordinate t.
+            // `c` contains the coefficients of a polynomial in the distance |t − t₀| from an end t₀ = ±1 of the piece,
+            // where t is the coordinate on the piece.
             let mut random = || random();
             let [a, b, c] = match case % 8 < 4 {
                 true => [0.25 + 0.5 * random().abs(), 0.0, 0.0],

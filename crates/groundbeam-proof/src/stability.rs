@@ -1,8 +1,9 @@
-//! Computes a number σ > 0: the work of an axial compression is at most 1 − σ times the strain energy of the beam.
+//! Computes a number σ > 0 such that the work of an axial compression is at most (1 − σ) times the strain energy of the beam.
 //!
 //! N = |P| is the compression. For a deflection z, a₀(z, z) = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² is twice the strain energy of
-//! the beam and its two-way supports. κ and κ_θ are the stiffnesses of translational and rotational springs, and k_φ those
-//! of hinges. One of two methods proves a number σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all deflections z.
+//! the beam and its two-way supports. κ and κ_θ are the stiffnesses of translational and rotational springs. k_φ is the
+//! stiffness of a hinge, and [z′] its rotation. One of two methods proves a number σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for
+//! all deflections z.
 //!
 //! 1. The first method applies to spans between rigid supports, without hinges. ∫z′ = 0 on a span, so with the length L,
 //!    EI and S of each span
@@ -33,7 +34,7 @@ const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
 /// The largest ratio N₁/N that is tried, with the compression N and a compression N₁ under which the beam is stable.
 const MOST: f64 = 64.0;
 
-/// Returns a number σ > 0 such that, for every deflection, the work of the compression N is at most 1 − σ times the
+/// Returns a number σ > 0 such that, for every deflection, the work of the compression N is at most (1 − σ) times the
 /// strain energy of the beam and its two-way supports; `None` if no such number is found.
 pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let by_spans = of_spans(frame, compression);
@@ -54,7 +55,7 @@ fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
     node.rigid.is_some() && node.acts == Acts::Both
 }
 
-/// Computes a number σ > 0 such that, for every deflection, the work of the compression is at most 1 − σ times the
+/// Computes a number σ > 0 such that, for every deflection, the work of the compression is at most (1 − σ) times the
 /// strain energy. The beam must have rigid supports at both ends, or a clamp at one end as its only rigid support.
 /// Returns `None` for other beams, for beams with hinges, and if no such number is found.
 fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
@@ -94,9 +95,8 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// Computes σ = 1 − N/N₁ from the compression N and the largest compression N₁ found for which the stiffness
-/// matrix of the elements is positive definite. For every deflection, the work of N is at most 1 − σ times the
-/// strain energy.
+/// Computes σ = 1 − N/N₁ from the compression N and the largest compression N₁ found for which the stiffness matrix of
+/// the elements is positive definite. For every deflection, the work of N is at most (1 − σ) times the strain energy.
 fn of_elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     compression: S,
@@ -197,15 +197,17 @@ fn elements<S: Scalar, C: Scalar>(
 /// this position.
 #[derive(Clone, Copy)]
 struct Left<C> {
-    /// Entries of the stiffness matrix for (z, z), (z, z′) and (z′, z′), with the deflection z.
+    /// Entries (z, z), (z, z′) and (z′, z′) of the stiffness matrix, where z is the deflection and z′ the slope at the
+    /// position.
     stiffness: [C; 3],
     /// Whether a support at the position fixes the deflection, and whether it fixes the slope.
     held: [bool; 2],
 }
 
 impl<C: Scalar> Left<C> {
-    /// Adds the supports of a node and eliminates its hinge. Returns the stiffness on the right side of the
-    /// node; `None` if the rotational stiffness at the hinge is not proven to be positive.
+    /// Adds the support stiffnesses of a node and eliminates the slope to the left of its hinge. Returns the stiffness
+    /// for the deflection and the slope just right of the node; `None` if the rotational stiffness at the hinge is not
+    /// proven to be positive.
     fn at(self, joint: &Joint<C>) -> Option<Left<C>> {
         let [mut a, mut b, mut c] = self.stiffness;
         (a, c) = (a + joint.spring, c + joint.turning);
@@ -220,8 +222,8 @@ impl<C: Scalar> Left<C> {
         Some(Left { stiffness: [a, b, c], held: joint.held })
     }
 
-    /// Whether the stiffness matrix for the deflection and the slope, without those that a support fixes, is proven to
-    /// be positive definite.
+    /// Whether the stiffness matrix is proven to be positive definite. A deflection or slope that a support fixes is
+    /// left out of the matrix.
     fn is_positive(&self) -> bool {
         let [a, b, c] = self.stiffness;
         match self.held {
@@ -259,8 +261,8 @@ impl<C: Scalar> Left<C> {
         let [a, b, c] = joined.stiffness;
         let coupling = [[-own, turned], [-turned, across]];
         let zero = C::zero();
-        // `inverse` is the inverse of `joined` for the deflection and the slope, without those that a support fixes.
-        // Its entries for a fixed deflection or slope are zero.
+        // `inverse` is the inverse of the matrix `joined`. A deflection or slope that a support fixes is left out of
+        // the inversion, and its entries in `inverse` are zero.
         let inverse = match self.held {
             [true, true] => [zero; 3],
             [true, false] => [zero, zero, C::one().div(c)],
@@ -320,8 +322,9 @@ mod tests {
         });
     }
 
-    /// The critical load of a beam on two pins is π²EI/l². Four elements prove a load that is at most 2 percent smaller. The
-    /// search ends when N₁/N − 1 is accurate to ten percent.
+    /// The critical load of a beam on two pins is π²EI/l². With four elements, the proven lower bound of the critical
+    /// load is at most 2 percent smaller. The search for this bound ends when the ratio of the bound to the
+    /// compression, minus 1, is accurate to ten percent.
     #[test]
     fn the_search_for_the_critical_load_is_accurate() {
         let pin = |at: u32| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");

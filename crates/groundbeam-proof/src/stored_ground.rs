@@ -53,8 +53,9 @@ impl<S: Scalar> Layer<'_, S> {
         }
     }
 
-    /// Settlement of the ground at a node. At a node in contact, it is the deflection minus the initial gap. At an
-    /// open node, it is the stored settlement of the piece on the left, or else of the piece on the right.
+    /// Returns the settlement of the ground at a node. At a node in contact, it is the deflection minus the initial
+    /// gap. At a node out of contact, it is the settlement in the document for the adjacent piece on the left. If the
+    /// document has no settlement for this piece, the settlement for the adjacent piece on the right is used.
     pub(crate) fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
         if surface.touches[node] {
             return self.held(node);
@@ -82,8 +83,8 @@ mod tests {
     use serde_json::json;
 
     /// The shear layer begins at the second piece of the beam and is out of contact. Because μ varies on the third
-    /// piece, the settlement of all pieces of the layer is read from the document. On a piece with constant k and μ,
-    /// the flux μu′ at both ends follows from u at both ends, with √(kμ) and z = h√(k/μ) for the length h.
+    /// piece, the settlement u of all pieces of the layer is read from the document. On the second and the fourth
+    /// piece, k and μ are constant, so u at both ends of such a piece determines the flux μu′ at both ends.
     #[test]
     fn a_piece_of_constant_ground_has_the_flux_of_its_ends() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 0\n\

@@ -96,9 +96,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Holds { places: at_nodes + pieces, turning, ends: [held(part.start), held(part.end)] }
     }
 
-    /// Whether the exact pressure is proven to be positive somewhere in each half of an interval of a piece. The
-    /// weighted integral of the smallest claimed pressure over each half must exceed the error bound of this
-    /// integral.
+    /// Whether the exact pressure is proven to be positive somewhere in each half of a middle part of the piece. For
+    /// each half, the integral of a lower bound of the claimed pressure, multiplied by the weight function of `bump`,
+    /// must exceed the error bound of this integral.
     fn presses(&self, i: usize) -> bool {
         let span = &self.fields.frame.spans[i];
         if !span.touches {
@@ -114,8 +114,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Lower bound of the integral 2h/3 and upper bound of the energy norm (8kh/15 + 16μ/(3h))^½ of the weight function
-/// 1 − (2t/h)² on |t| ≤ h/2, for a length h between two given bounds.
+/// Returns a lower bound of the integral 2h/3 and an upper bound of the energy norm (8kh/15 + 16μ/(3h))^½ of the weight
+/// function 1 − (2t/h)² on |t| ≤ h/2. The length h of this interval lies between `low` and `high`.
 fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
     let norm = (8.0 * (ground * Size::of(high))).over(15.0) + (16.0 * layer).over(3.0).over(low);
     ((0.666 * low).next_down(), norm.root())
@@ -155,11 +155,10 @@ mod tests {
         assert_eq!(first_mechanism(&[clamped, alone(2, [true, false])]), None);
         assert_eq!(first_mechanism(&[clamped, alone(1, [false, true])]), None);
         assert_eq!(first_mechanism(&[clamped, alone(0, [false, false])]), Some(1));
-        // A part without supports between two restrained parts is no mechanism.
+        // A part without supports that is hinged to a restrained part at each end is not a mechanism.
         assert_eq!(first_mechanism(&[clamped, alone(0, [false, false]), clamped]), None);
         assert_eq!(first_mechanism(&[clamped, alone(1, [true, false]), clamped]), None);
-        // A part of the beam with one restraint is a mechanism: with a prevented rotation only, or with one held
-        // position only.
+        // A beam of one part is a mechanism if only its rotation is prevented, or if it is held at only one position.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
         assert_eq!(first_mechanism(&[turning]), Some(0));
         assert_eq!(first_mechanism(&[Holds { places: 1, ..turning }]), None);
@@ -182,9 +181,10 @@ mod tests {
         })
     }
 
-    /// The claimed pressure is 2. Contact on an interval of length h is proven if 2∫z > (2E)^½‖z‖_b, with a function z
-    /// on this interval, its energy norm ‖z‖_b in the ground, and the bound E of the error energy. The largest h that
-    /// is tried, 0.9·0.75, permits the largest E.
+    /// Let z be a weight function on an interval of length h, and ‖z‖_b its energy norm in the ground. Contact on the
+    /// interval is proven if the claimed pressure 2 satisfies 2∫z > (2E)^½‖z‖_b, where E is the bound of the error
+    /// energy. `presses` first tries the middle 90 % of the beam, each half of which has the length h = 0.9·0.75. This
+    /// largest h permits the largest E.
     #[test]
     fn a_pressure_holds_the_beam_if_the_error_cannot_remove_it() {
         for layer in [0.0, 0.5] {
@@ -204,7 +204,7 @@ mod tests {
         }
     }
 
-    /// A beam out of contact that is held at one point can rotate, except under a tension.
+    /// A beam out of contact that is held at only one point can rotate freely, unless it is under axial tension.
     #[test]
     fn a_beam_under_tension_needs_one_point() {
         let ground = "[foundation]\nk = 1\n";

@@ -1,6 +1,7 @@
-//! Scaling of length and force by powers of two, so that the length and the largest load lie in [1, 2).
+//! Scaling of length and force by powers of two, so that the length of the beam and the largest load lie in [1, 2).
 //!
-//! Scaling is exact. A model whose forces or lengths are multiplied by a power of two is proven with the same digits.
+//! Scaling by a power of two is exact. If all forces or all lengths of a model are multiplied by a power of two, the
+//! proof computes with the same scaled numbers as before.
 
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 use crate::refusal::NotProven;
@@ -107,12 +108,13 @@ mod tests {
     use crate::read::read_model;
     use crate::wide::Wide;
 
-    /// Every load and every settlement counts as a force: M₀/l, ql, m, EIκ₀/l, κδ and EIδ/l². The model has the length 1.5,
-    /// which counts as 1, and EI = 4. All lengths are multiplied by 2ᵃ and all forces by 2ᵇ.
+    /// A moment M₀ is converted to the force M₀/l, a distributed load q to ql, and an imposed curvature κ₀ to EIκ₀/l. A
+    /// support settlement δ is converted to κδ at a spring of stiffness κ, and to EIδ/l³ at a rigid support. The unit
+    /// of length l is 1 for the beam of length 1.5. All lengths are multiplied by 2ᵃ and all forces by 2ᵇ.
     #[test]
     fn the_units_follow_the_lengths_and_the_largest_load() {
-        // The table of the load or support, the exponents of force and length in the unit of its number, and the exponent
-        // of its force.
+        // Each case has the start of a load or support table to which a value is appended, the exponents of N and m in
+        // the unit of this value, and the exponent n of the expected unit of force 2ⁿ for a = b = 0.
         let tables = [
             ("", [0, 0], 2),
             ("[[load]]\nat = 0\npoint = ", [1, 0], 1),

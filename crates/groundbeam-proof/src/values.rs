@@ -1,4 +1,4 @@
-//! Numbers of the model: the value of a constant profile, and the checks of sign and range.
+//! Reads the value of a constant profile, and checks the sign and range of the numbers of a model.
 
 use crate::coefficient::Coefficient;
 use crate::model::Course;
@@ -15,7 +15,7 @@ pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> Result<S, NotProven> {
     }
 }
 
-/// Checks that a coefficient is positive everywhere, and within the range of the computation.
+/// Checks that a coefficient lies between 10⁻⁶⁰ and 10⁶⁰ everywhere.
 pub(crate) fn in_range<S: Scalar>(
     coefficient: &Coefficient<S>,
     name: &str,
@@ -29,7 +29,7 @@ pub(crate) fn in_range<S: Scalar>(
     }
 }
 
-/// Returns the number if it is positive and within the range of the computation.
+/// Returns the number if it lies between 10⁻⁶⁰ and 10⁶⁰.
 pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x.low() >= 1e-60 && x.high() <= 1e60 {
         Ok(x)
@@ -40,7 +40,7 @@ pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     }
 }
 
-/// Returns the number if it is zero, or if it is positive and within the range of the computation.
+/// Returns the number if it is zero or lies between 10⁻⁶⁰ and 10⁶⁰.
 pub(crate) fn not_negative<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x == S::zero() { Ok(x) } else { positive(x, name) }
 }

@@ -2,7 +2,8 @@
 //!
 //! By (14b) of docs/proof.md, the bound of the pressure needs a bound of the slope. The bound of the slope needs a
 //! bound of the shear force, and the bound of the shear force needs a bound of the pressure. So the first bound of
-//! the slope uses only a length h of one piece. There, the error bound ε_T of the transverse force satisfies
+//! the slope is computed without a bound of the pressure, on a section of length h within one piece. On this
+//! section, the error bound ε_T of the transverse force satisfies
 //!
 //! ```text
 //! ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T).
@@ -22,7 +23,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::least_of_halves;
 
-/// Returns the shear stiffness S of a piece with shear deformation on a shear layer, if S or μ varies.
+/// Returns the shear stiffness S of a piece with shear deformation that lies on a shear layer, if S or the stiffness μ
+/// of the layer varies along the piece.
 fn varying<S>(span: &Span<S>) -> Option<&Coefficient<S>>
 where
     S: Scalar,
@@ -32,9 +34,9 @@ where
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Returns an error bound from (14b) of docs/proof.md. On a piece in contact, it is the error bound of the pressure
-    /// wherever the beam is in contact in the exact solution too. On a piece out of contact, it is the error bound of
-    /// (μC′)′, with the clearance C.
+    /// Returns the error bound (14b) of docs/proof.md. On a piece in contact, it bounds the error of the pressure at
+    /// all positions that are also in contact in the exact solution. On a piece out of contact, it bounds the error of
+    /// (μC′)′, where C is the clearance between beam and ground.
     pub(crate) fn varying_pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(stiffness) = varying(span) else { return Size::INFINITE };
@@ -193,9 +195,11 @@ mod tests {
         assert!((1.0..1.0 + 1e-9).contains(&ratio), "{what}: {found:?} {expected}");
     }
 
-    /// Returns the smallest error bound (`moved`/h + `closed` + ½h·`spread`)/(1 − 0.8h) of the transverse force for the
-    /// lengths h = 1, ½, ¼, …. `moved` is due to the errors of moment and deflection, `closed` to that of the axial
-    /// tension, and `spread` to that of the distributed load.
+    /// Returns the error bound of the transverse force: the smallest value of
+    /// (`moved`/h + `closed` + ½h·`spread`)/(1 − 0.8h) for sections of the beam with the lengths h = 1, ½, ¼, ….
+    /// `moved` bounds the errors of moment and deflection, `closed` the error of the transverse component of the axial
+    /// tension, and `spread` the error of the distributed load. The divisor accounts for the pressure error that the
+    /// error of the transverse force itself causes.
     fn first_force([moved, closed, spread]: [f64; 3]) -> f64 {
         let force = |j: i32| {
             let h = 0.5_f64.powi(j);
@@ -204,9 +208,10 @@ mod tests {
         (0..24).map(force).fold(f64::INFINITY, f64::min)
     }
 
-    /// Checks the bound `first_slope` for a moment with the error bound 10⁻³ and one further error: the rotation
-    /// differs from the slope by `turned`, or `change` sets another error. The expected bound is `resting`, the part
-    /// that does not depend on the transverse force, plus 1.6 times the error bound of the transverse force.
+    /// Checks that `first_slope` returns the expected error bound of the slope. The error bound of the moment is 10⁻³.
+    /// In addition, the rotation differs from the slope by `turned`, or `change` sets the error of another quantity.
+    /// The expected bound is `resting` plus 1.6 times the error bound of the transverse force. `resting` is the part of
+    /// the bound that does not depend on the transverse force.
     fn is_first_slope(
         what: &str,
         turned: f64,
@@ -221,8 +226,8 @@ mod tests {
         });
     }
 
-    /// Checks the error bound of the slope that `first_slope` computes from one piece. Each case has one kind of error,
-    /// in addition to the error of the balanced moment.
+    /// Checks the error bound of the slope that `first_slope` computes from the errors on one piece of the beam. In
+    /// each case the moment has an error, and at most one other quantity has an error.
     #[test]
     fn the_first_slope_follows_from_the_change_of_moment_on_the_piece() {
         let size = Size::of;
@@ -246,7 +251,8 @@ mod tests {
             |c| c.bounds.deflection = size(0.1),
             [0.0, 0.052, 0.0, 1.0],
         );
-        // The misfit η = S(w′ − φ) − V of the shear force is S/8 ≤ 1/8, and |η′| = 1/16.
+        // The misfit η = S(w′ − φ) − V is the residual of the shear force V, with the shear stiffness S ≤ 1 and the
+        // rotation φ of the cross-sections. Here η = S/8, so |η| ≤ 1/8 and |η′| = 1/16.
         is_first_slope("misfit", 0.125, |_| (), [0.35, 2e-3, 0.0, 1.0 + 0.0625 + 0.35]);
         is_first_slope(
             "balance",
@@ -285,9 +291,9 @@ mod tests {
         );
     }
 
-    /// In contact, the error bound of the pressure from (14b) of docs/proof.md is divided by 1 + α, with α = μ/(S + P)
-    /// ≥ 0.2. Out of contact, the bound of (μC′)′, with the clearance C between beam and ground, is not divided. There,
-    /// the bound `first_slope` uses the pressure that the ground would exert if the beam were in contact with it.
+    /// On a piece in contact, (14b) of docs/proof.md bounds 1 + α times the error of the pressure, where the ratio
+    /// α = μ/(S + P) is at least 0.2. So the bound is divided by 1.2. On a piece out of contact, the bound is not
+    /// divided. There, `first_slope` uses the pressure that the ground would exert if the beam were in contact with it.
     #[test]
     fn the_pressure_needs_the_slope_and_the_slope_the_pressure() {
         for touches in [true, false] {

@@ -29,7 +29,7 @@ pub struct Verification {
     pub forces: Bound,
     /// The errors of each listed edge and of each listed concentrated force.
     pub listed: ListedErrors,
-    /// The proven positions of the listed extremes.
+    /// The proven positions of the extremes that the document lists.
     pub extremes: Vec<PlacedExtreme>,
     /// Intervals on which the pressure has no bound \[m\]: intervals that contain edges of contact on a shear
     /// layer, or the whole beam if the contact set is not proven.
@@ -42,8 +42,8 @@ pub struct Verification {
     pub shortfall: Option<NotProven>,
 }
 
-/// Proves the solution in a document, and then compares the other numbers of the document with this solution. Writes a
-/// log if one is given.
+/// Proves the solution in a document, and then compares the other numbers of the document with this solution. If `log`
+/// is given, the steps of the proof are written to it.
 pub(crate) fn verified<S: Scalar>(
     model: &Model<S>,
     document: &Document,
@@ -145,8 +145,9 @@ impl Verification {
         contact.or(self.proof.unique.as_ref().err()).or(self.shortfall.as_ref())
     }
 
-    /// Bounds of the errors of edges, forces and reactions, one for each number in the order of the document.
-    /// The names are those of the bounds in a document.
+    /// Returns the error bounds of the contact edges, forces, reactions and hinges that the document lists. Each list
+    /// has one bound for each number, in the order of the numbers in the document. The name of each list is the key
+    /// under which documents state such bounds.
     pub fn errors_of_numbers(&self) -> Vec<(&'static str, Vec<f64>)> {
         let (listed, reactions) = (&self.listed, self.proof.reactions.iter());
         let mut errors = vec![
@@ -161,7 +162,8 @@ impl Verification {
         errors
     }
 
-    /// Bounds of the errors of the fields, one for each field, and of edges, forces and reactions, one for each number.
+    /// Returns all error bounds: one for each field, and those of [`Self::errors_of_numbers`] for contact edges,
+    /// forces, reactions and hinges.
     pub fn errors(&self) -> Vec<(&'static str, Vec<f64>)> {
         let one = |(name, bound): (&'static str, Bound)| (name, vec![bound.error]);
         let fields = self.proof.bounds.named().into_iter().chain([("gap", self.gap)]);
@@ -221,8 +223,8 @@ impl Verification {
         first
     }
 
-    /// Reports the first extreme whose listed position is farther than 10⁻⁶ of the length from every position of
-    /// the exact extreme.
+    /// Reports the first extreme whose position in the document is wrong. A position is wrong if it is farther than
+    /// 10⁻⁶ of the beam length from all intervals in which the exact extreme may lie.
     fn misplaced(&self) -> Option<NotProven> {
         let far = 1e-6 * self.proof.scales.length;
         let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
@@ -232,7 +234,8 @@ impl Verification {
         Some(NotProven::new(what).at(extreme.listed))
     }
 
-    /// Reports the first of gap, edges and forces whose error bound is not small.
+    /// Reports the first quantity whose error bound is not small: the gap between beam and ground, the listed edges of
+    /// contact, or the listed concentrated forces.
     fn large(&self) -> Option<NotProven> {
         let all = [
             ("gap", self.gap),
@@ -248,8 +251,9 @@ impl Verification {
 }
 
 /// Reports the first field with a listed number that is too far from the claimed solution. The permitted difference is
-/// 10⁻⁶ of the largest value of the field, plus 10⁻¹¹ of the field's scale for rounding errors. 10⁻⁶ of the scale would
-/// permit too much, because the scale may be much larger than the values of the field.
+/// 10⁻⁶ of the largest value of the field, plus 10⁻¹¹ of the scale of the field for rounding errors. The scale is a
+/// magnitude that is estimated from loads, pressures and stiffnesses (section 8 of docs/proof.md). It may be much
+/// larger than the values of the field, so 10⁻⁶ of the scale would permit too much.
 fn far<S: Scalar>(
     fields: &Fields<S>,
     differences: &[f64; 8],

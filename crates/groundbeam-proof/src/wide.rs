@@ -1,4 +1,4 @@
-//! An interval that encloses a real number, as a midpoint of two doubles (106 bits) and a radius.
+//! An interval that encloses a real number: a midpoint that is the sum of two doubles (106 bits), and a radius.
 //!
 //! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of
 //! double-word arithmetic*, ACM Transactions on Mathematical Software 44 (2017): the relative error of a sum
@@ -124,8 +124,9 @@ impl Mul for Wide {
         let (ch, cl) = two_product(self.h, other.h);
         let cross = self.h * other.l + self.l * other.h;
         let (h, l) = fast_two_sum(ch, cl + cross);
-        // The size |h + l| of a midpoint may exceed |h| by the relative rounding error of a double. The factor `ABOVE`
-        // of the radius is large enough for this.
+        // The midpoint is the sum of a double h and a small remainder l, so its size |h + l| may exceed |h| by the
+        // relative rounding error of a double. The radius is multiplied by `ABOVE`, which is large enough to cover
+        // this.
         let propagated =
             magnitude(self.h) * other.r + magnitude(other.h) * self.r + self.r * other.r;
         Wide::new(h, l, (propagated + Wide::rounding(h)) * ABOVE)
@@ -146,9 +147,9 @@ impl Scalar for Wide {
             return Wide::ALL;
         }
         // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the error is at most a bound of
-        // the residual a − qb, divided by a lower bound of |b|. `size` is at least (1 + 12u) times the residual with
-        // u = 2⁻⁵³, which covers the rounding errors of the last line. The smallest normal number covers underflow of
-        // the quotient.
+        // the residual a − qb, divided by a lower bound of |b|. The method `size` returns at least 1 + 12u times the
+        // size of the residual, with u = 2⁻⁵³. This factor covers the rounding errors of the last line. The smallest
+        // normal number is added in case the division underflows.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);
@@ -164,8 +165,9 @@ impl Scalar for Wide {
         if !(self.low() >= 0.0) {
             return Wide::ALL;
         }
-        // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0. The
-        // radius of the residual contains a multiple of q², so the quotient of the last line does not underflow.
+        // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0. The bound
+        // of the rounding error of q² makes the radius of the residual at least 2⁻¹⁰²q². So the residual divided by q
+        // does not underflow in the last line.
         let first = self.h.sqrt();
         let rest = self.centre() - Wide::of(first).square();
         let (h, l) = fast_two_sum(first, rest.h / (2.0 * first));

@@ -152,7 +152,7 @@ impl Answers {
         each.collect()
     }
 
-    /// Returns the solved positions of the first axle in a passage.
+    /// Returns all positions of the first axle in a passage that have a solution.
     fn positions<'py>(
         &self,
         py: Python<'py>,
@@ -163,7 +163,8 @@ impl Answers {
         Ok(PyArray1::from_vec(py, solved))
     }
 
-    /// Returns the solved position nearest to a given position of the first axle, and the solution at this position.
+    /// Finds the position of the first axle that has a solution and is nearest to `first_axle`. Returns the found
+    /// position and its solution.
     fn nearest(&self, passage: usize, first_axle: f64) -> PyResult<Option<(f64, Solution)>> {
         let passage = self.passage(passage)?;
         let Some((first_axle, _)) = passage.nearest(first_axle) else { return Ok(None) };

@@ -35,8 +35,8 @@ pub fn parameter(name: &str) -> Result<Parameter, Failure> {
     })
 }
 
-/// Returns the parameter with this name if it is a single number of the model. Returns an error for a constant of a
-/// ground that is defined by soil data.
+/// Returns the parameter with this name if it is a single number of the model. Returns an error if the parameter is k
+/// or μ of a ground that the model defines by soil data.
 pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Parameter, Failure> {
     let own = parameter(name)?;
     let why = if on_soil && own.is_of_ground() {
@@ -49,8 +49,8 @@ pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Paramete
     Err(Failure::Asked(format!("parameter `{name}`: {why}")))
 }
 
-/// Computes the derivatives of all outputs with respect to all parameters. Returns an error for a constant of a
-/// ground that is defined by soil data.
+/// Computes the derivatives of all outputs with respect to all parameters. Returns an error if a parameter is k or μ of
+/// a ground that the model defines by soil data.
 pub fn gradients(
     solution: &Solution,
     on_soil: bool,

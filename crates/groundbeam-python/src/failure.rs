@@ -8,7 +8,7 @@ use pyo3::types::PyTuple;
 
 /// Reason why there is no result.
 pub enum Failure {
-    /// The model is invalid; with the complete message and the list of all faults.
+    /// The model is invalid. The fields are the complete message and the list of all faults.
     Wrong(String, Vec<Diagnostic>),
     /// There is no equilibrium.
     NoEquilibrium(Tipping),
@@ -21,7 +21,8 @@ pub enum Failure {
 /// The motion that proves that there is no equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tipping {
-    /// Motion r(0) and r(l) of the ends, and work F(r) of the loads in this motion.
+    /// Motion r that proves that there is no equilibrium: its displacements r(0) and r(l) of the left and the right end
+    /// of the beam, and the work F(r) of the loads.
     pub motion: [f64; 3],
     /// Deflections of the hinges in the rigid-body motion r of the beam that proves that there is no equilibrium.
     pub hinges: Vec<f64>,

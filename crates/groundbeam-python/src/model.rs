@@ -153,7 +153,7 @@ impl Model {
             }
             let changed = own.set(&combination.model, number);
             combination.model = changed.ok_or_else(|| {
-                Failure::Asked(format!("parameter `{name}`: the model has no such number"))
+                Failure::Asked(format!("the model has no single value of the parameter `{name}`"))
             })?;
         }
         py.detach(|| self.solution(combination, Options::default()))
@@ -164,11 +164,11 @@ impl Model {
         let model = self.read.combination(combination)?.model;
         let number = parameter(name)?.value(&model);
         number.ok_or_else(|| {
-            Failure::Asked(format!("parameter `{name}`: the model has no such number"))
+            Failure::Asked(format!("the model has no single value of the parameter `{name}`"))
         })
     }
 
-    /// Solves all combinations. The results have the order of the combinations.
+    /// Solves all combinations. The results are in the order of the combinations.
     fn solve_combinations(
         &self,
         py: Python<'_>,
@@ -237,6 +237,7 @@ impl Model {
     }
 }
 
-/// Verdict on the existence of an equilibrium; static reactions; values at both ends and work of the loads in a motion
-/// that decides the verdict; and the verdict as a sentence.
+/// Verdict on the existence of an equilibrium, static reactions, motion that decides the verdict, and the verdict as a
+/// sentence. The motion is given by the displacements of the left and the right end of the beam, and the work of the
+/// loads.
 type Statics = (&'static str, Vec<f64>, Option<(f64, f64, f64)>, String);

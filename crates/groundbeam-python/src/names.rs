@@ -1,4 +1,4 @@
-//! Looks up fields and sides by name.
+//! Looks up result fields by name, and the left or the right side of a position.
 
 use crate::failure::Failure;
 use groundbeam::{Field, solution::Side};
@@ -11,7 +11,7 @@ pub fn field(name: &str) -> Result<Field, Failure> {
     })
 }
 
-/// Returns the side with this name.
+/// Converts `left` or `right` to the side of a position from which the value of a field is taken.
 pub fn side(name: &str) -> Result<Side, Failure> {
     match name {
         "left" => Ok(Side::Left),

@@ -1,4 +1,4 @@
-//! Draws, solves and saves the samples of studies, without Python code for single samples.
+//! Draws, solves and saves the samples of studies in Rust. No Python code runs for the individual samples.
 
 use crate::failure::Failure;
 use crate::model::held;

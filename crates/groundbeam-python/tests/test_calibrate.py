@@ -115,7 +115,7 @@ def test_several_kinds_of_measurements_determine_unknown_loads(footing: gb.Model
     ("measured", "unknown", "why"),
     [
         ({}, ["k"], "nothing was measured"),
-        ({"deflection": (X, X[:3])}, ["k"], "13 positions and 3 values"),
+        ({"deflection": (X, X[:3])}, ["k"], "13 positions but 3 values"),
         ({"deflection": ([1.0], [1e-3])}, ["k", "mu"], "cannot determine 2 unknowns"),
         ({"deflection": (X, X)}, [], "names of one or more"),
         ({"deflection": (X, X)}, ["kk"], "unknown name"),

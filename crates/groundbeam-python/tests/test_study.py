@@ -159,7 +159,7 @@ def test_invalid_studies_are_refused(study: gb.Study, tmp_path: Path) -> None:
     assert "did you mean `gumbel`?" in str(caught.value)
     with pytest.raises(FileNotFoundError):
         gb.Study(tmp_path / "none.toml")
-    with pytest.raises(ValueError, match="shard: give"):
+    with pytest.raises(ValueError, match="shard must be"):
         study.run(tmp_path / "r.parquet", shard=(3, 2))
     study.run(tmp_path / "r.parquet")
     study.path.write_text(STUDY)

@@ -33,7 +33,8 @@ impl Around {
         }
     }
 
-    /// Returns the interval of the largest or the smallest of several exact numbers; `None` if there are no numbers.
+    /// Returns an interval that contains the largest or the smallest of several exact numbers. Each number is given by
+    /// an interval that contains it. Returns `None` if there are no numbers.
     pub fn extreme(all: impl IntoIterator<Item = Self>, is_max: bool) -> Option<Self> {
         let outer = if is_max { f64::max } else { f64::min };
         let fold =
@@ -71,9 +72,10 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
         return not_proven(&unit.write(value));
     }
     let Some(power) = unit.power_of_ten() else {
-        // The quotient of two doubles has at most three rounding errors, because the unit size is also rounded.
+        // The unit size and the division are rounded. `rounding` covers up to sixteen relative rounding errors of
+        // 2⁻⁵³ each.
         let quotient = value / unit.size;
-        let rounding = 4.0 * f64::EPSILON * quotient.abs();
+        let rounding = 8.0 * f64::EPSILON * quotient.abs();
         let converted = if error == 0.0 { 0.0 } else { unit.upper(error) };
         let error = match converted + rounding {
             0.0 => 0.0,
@@ -96,8 +98,8 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
     format!("{number} ± {bound}{unit}")
 }
 
-/// Rounds a number to a multiple of 10ⁿ with n = `last`, but to at most `most` digits. Returns the text of the rounded
-/// number divided by 10ᵖ with p = `power`, and a bound of the rounding error before this division.
+/// Rounds `value` to a multiple of 10ⁿ with n = `last`, but to at most `most` digits. Returns the text of the rounded
+/// number divided by 10ᵖ with p = `power`, and a bound of the rounding error. This bound is not divided by 10ᵖ.
 fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64) {
     let leading = exponent(value);
     let digits = (leading - last + 1).min(most);
@@ -163,7 +165,7 @@ mod tests {
         ];
         let ft = Unit { name: "ft", size: 0.3048, digits: 6 };
         let cases = cases.into_iter().chain([
-            (3.048, 0.0, ft, "10 ± 9.4e−15 ft"),
+            (3.048, 0.0, ft, "10 ± 1.9e−14 ft"),
             (0.0, 0.0, ft, "0 ± 0 ft"),
             (3.048, 0.003048, ft, "10 ± 0.011 ft"),
         ]);

@@ -1,4 +1,4 @@
-//! Judges design checks in their limit states, using the error bounds of the compared values.
+//! Evaluates each design check in the limit states to which it applies, with the error bounds of the compared values.
 
 use crate::bound::Around;
 use crate::context::Context;
@@ -32,7 +32,7 @@ pub(crate) enum Judgement {
 }
 
 impl Judgement {
-    /// Name of this judgement of a design check in results, such as `passes`.
+    /// Name by which the result document states this outcome of a design check, such as `passes`.
     pub fn name(self) -> &'static str {
         match self {
             Judgement::Passes(true) => "passes",
@@ -79,7 +79,8 @@ fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limi
 #[derive(Debug, Clone)]
 pub(crate) struct Row<'a> {
     pub name: Cow<'a, str>,
-    /// Limit states of the combination; empty for loads as given and for a combination without a limit state.
+    /// Limit states of the combination. The set is empty if the loads are not combined, or if the combination
+    /// names no limit state.
     pub states: LimitStates,
     /// Whether the combination comes from a Eurocode set of combinations.
     pub eurocode: bool,
@@ -258,8 +259,8 @@ fn governing(
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }
 
-/// Returns the check with the largest computed utilization. Its error bound is replaced by a bound of the
-/// distance between its computed value and the largest exact value of all checks in `found`.
+/// Returns the check with the largest computed utilization. The returned error bound applies to the largest
+/// exact value of all checks in `found`.
 fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
     // If several checks have the same utilization, the first of them is returned.
     let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
@@ -303,7 +304,7 @@ impl Judged {
     }
 }
 
-/// Returns one row per result for the design checks.
+/// Returns the data that the design checks need, with one row for each result.
 pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Row<'a>> {
     let proofs = context.proofs;
     let each = answers.list.iter().enumerate();

@@ -122,8 +122,8 @@ pub(crate) fn largest_end_force<'s, 'a>(
     Some((row, most, Around::extreme(all, true)?.error()))
 }
 
-/// Returns three error bounds: of an extreme with the best estimates of k and μ, of the smallest value of this
-/// extreme among all computed pairs (k, μ), and of its largest value among these pairs.
+/// Returns the error bounds of three values of one extreme. The first value is for the best estimates of k and
+/// μ. The other values are the smallest and the largest value among all computed pairs (k, μ).
 pub(crate) fn bounds_of_band(
     solved: &[Numbered],
     field: Field,

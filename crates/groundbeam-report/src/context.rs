@@ -17,11 +17,13 @@ pub struct Context<'a> {
     pub seconds: Option<f64>,
     /// Load factors; `None` if they are not requested.
     pub factors: Option<&'a Factors>,
-    /// Origin of the ground constants k and μ; `None` if the file gives them per length of the beam.
+    /// Data from which the ground constants k and μ were computed; `None` if the file gives k and μ per length
+    /// of the beam.
     pub ground: Option<&'a Ground>,
     /// Limits of the design checks; `None` if no checks are requested.
     pub limits: Option<&'a Limits>,
-    /// Number of straight segments that replace settlement troughs in the initial gap; `None` without troughs.
+    /// Total number of straight segments that replace the curve of all settlement troughs in the initial gap;
+    /// `None` without troughs.
     pub chords: Option<usize>,
     /// Digest of the model file and of the tables that it names, from [`model_digest`](crate::model_digest);
     /// `None` if the model does not come from a file.
@@ -32,8 +34,8 @@ pub struct Context<'a> {
     pub selected: bool,
     /// Whether the result document contains the piecewise polynomials of the solution, which the proof needs.
     pub pieces: bool,
-    /// Whether the result document contains the model. The proof reads this model if its own file
-    /// reader does not support the model file.
+    /// Whether the result document contains the model. The proof uses this model if the proof's own file reader
+    /// does not support the model file.
     pub model: bool,
     /// Depth of the cross-section along the beam, which pictures show; empty if the depth is not known.
     pub depths: &'a [Depth],
@@ -44,7 +46,7 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// Returns the context of a model file, with its title, units, limits, chords, depths and warnings.
+    /// Returns a context with the data of a model file, such as the title, the units and the warnings.
     pub fn of(document: &'a Document) -> Self {
         Context {
             title: document.title.as_deref(),
@@ -92,7 +94,7 @@ impl<'a> Context<'a> {
         Context { factors: Some(factors), ..self }
     }
 
-    /// Sets the origin of the ground constants k and μ.
+    /// Sets the data from which the ground constants k and μ were computed.
     pub fn with_ground(self, ground: &'a Ground) -> Self {
         Context { ground: Some(ground), ..self }
     }

@@ -143,9 +143,9 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
 }
 
 /// Returns the CSV table of an envelope: first the rows over all results, then the rows over the results of
-/// each limit state. `of_state` takes a limit state, or `None` for all results, and returns a function. This
-/// inner function returns the cells of the row at a position of the beam. If no result has a solution, it
-/// returns `None`, and the row is omitted.
+/// each limit state. `of_state` takes a limit state, or `None` for all results, and returns a function. The
+/// returned function takes a position of the beam and returns the cells of the row at this position, or `None`
+/// if no result has a solution. A row without cells is omitted.
 fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
     names: impl Iterator<Item = String>,
     states: LimitStates,

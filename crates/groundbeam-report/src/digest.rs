@@ -39,10 +39,10 @@ mod tests {
 
     #[test]
     fn digests_agree_with_sha256sum() {
-        // The shell computes this digest by `printf 'abc' | sha256sum`.
+        // This digest is the output of `printf 'abc' | sha256sum`.
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(of_files("abc", []), format!("sha256:{abc}"));
-        // The shell computes this digest by `sha256sum model.toml table.csv | cut -c 1-64 | sha256sum`.
+        // This digest is the output of `sha256sum model.toml table.csv | cut -c 1-64 | sha256sum`.
         let both = "eba0bd5773c46903773599d5ea8d2d34d4cc1eafe604316a0f39b79b24200b4e";
         assert_eq!(of_files("abc", ["x"]), format!("sha256:{both}"));
     }

@@ -67,7 +67,7 @@ pub(crate) fn of_combinations(
     envelope.fields().map(of).collect()
 }
 
-/// The extremes of a single passage of a train.
+/// Returns the smallest and the largest value of each field in one passage of a train.
 pub(crate) fn of_passage(passage: &Passage, units: Units) -> Vec<Extremes> {
     let of = |field: Field| {
         let ends = passage.range(field)?.map(|located| end(passage, field, located, None));
@@ -76,7 +76,7 @@ pub(crate) fn of_passage(passage: &Passage, units: Units) -> Vec<Extremes> {
     passage.fields().filter_map(of).collect()
 }
 
-/// The extremes of all passages.
+/// Returns the smallest and the largest value of each field over all passages of trains.
 pub(crate) fn of_passages(passages: &Passages, units: Units) -> Vec<Extremes> {
     let of = |field: Field| {
         let ends = passages.range(field)?.map(|InPassage { located, passage: i }| {
@@ -97,8 +97,8 @@ fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>)
 /// magnitudes of the fields are computed once for each train position.
 pub(crate) struct Rounding<'a> {
     passages: Passages<'a>,
-    /// Typical magnitudes of the fields at each train position; `None` if no position of the passage was
-    /// solved. The key is the index of the passage and the bit pattern of the position of the first axle.
+    /// Typical magnitudes of the fields at a train position. The key is the index of the passage and the bit
+    /// pattern of the position of the first axle. The value is `None` if the passage has no solution.
     sizes: BTreeMap<(usize, u64), Option<Sizes>>,
 }
 

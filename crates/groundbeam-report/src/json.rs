@@ -65,7 +65,7 @@ pub fn existence(model: &Model, existence: &Existence, context: &Context) -> Str
     text(&Checked::of(status, model, existence, context))
 }
 
-/// The document of a method that did not reach its tolerance.
+/// Returns the JSON document for a solution method that did not reach its tolerance.
 pub fn not_converged(reached: &Stopped, context: &Context) -> String {
     text(&Unsolved::of(reached, context))
 }
@@ -340,7 +340,8 @@ struct Lines<G> {
     max: Vec<f64>,
     governs_min: Vec<G>,
     governs_max: Vec<G>,
-    /// Indices of the passages with the smallest values, if there are several passages.
+    /// Index of the train passage with the smallest value, for each position along the beam; omitted for a
+    /// single passage and for load combinations.
     #[serde(skip_serializing_if = "Option::is_none")]
     passage_min: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]

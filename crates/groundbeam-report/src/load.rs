@@ -16,7 +16,7 @@ pub fn load_name(load: &Load) -> &'static str {
     }
 }
 
-/// Physical quantity that states the size of a load, such as a force per length.
+/// Returns the kind of physical quantity that measures a load, such as a force per length.
 pub fn load_kind(load: &Load) -> Kind {
     match (load.action(), load.extent().is_distributed()) {
         (Action::Force, false) => Kind::Force,

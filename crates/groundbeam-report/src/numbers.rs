@@ -21,12 +21,12 @@ pub(crate) struct Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    /// Returns the numbers of a solution without error bounds.
+    /// Returns a formatter for the numbers of a solution. The formatter adds no error bounds.
     pub fn plain(solution: &Solution, units: Units) -> Self {
         Numbers { units, sizes: Sizes::of(solution), proof: None }
     }
 
-    /// Returns the numbers with the error bounds of `proof`, if it is not `None`.
+    /// Returns a formatter that adds the error bounds of `proof`; with `None`, it adds no error bounds.
     pub fn with_proof(self, proof: Option<&'a Named>) -> Self {
         Numbers { proof, ..self }
     }
@@ -67,7 +67,8 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// Formats the value of a field as a key figure, and formats its position.
+    /// Formats the largest or the smallest value of a field as a key figure, and formats the position of this
+    /// value.
     pub fn key_of(&self, field: Field, is_max: bool, extreme: Extreme) -> [String; 2] {
         let rounded = self.sizes.value(field, extreme.value);
         let value =
@@ -85,14 +86,14 @@ impl<'a> Numbers<'a> {
         self.key(Kind::Force, force, rounded, |named| named.error_of_end_force(end))
     }
 
-    /// Formats the value of a field in `unit`, or in a suitable unit for `None`.
+    /// Formats the value of a field in `unit`, or in a suitable unit if `unit` is `None`.
     pub fn field(&self, field: Field, value: f64, unit: Option<Unit>) -> String {
         let unit = unit.unwrap_or_else(|| self.units.unit(Kind::of(field), value));
         let rounded = self.sizes.value(field, value);
         self.write(unit, value, rounded, |found| found.error_of(field.name()))
     }
 
-    /// Formats the position of an extreme without an error bound.
+    /// Formats the position of an extreme. No error bound is added to the position.
     pub fn place(&self, x: f64) -> String {
         self.units.position(self.sizes.position(x))
     }
@@ -104,9 +105,9 @@ impl<'a> Numbers<'a> {
         if self.have_bounds() { not_proven(&place) } else { place }
     }
 
-    /// Formats the position of the largest gap in one lift-off zone. The proof bounds only the position of
-    /// the largest gap under the whole beam. In every other zone, the position is formatted without a proven
-    /// bound.
+    /// Formats the position of the largest gap in one lift-off zone. The proof bounds only the position of the
+    /// largest gap under the whole beam. In the zones that do not contain this gap, the position is formatted
+    /// without a proven bound.
     pub fn place_of_gap(&self, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let largest = |e: &PlacedExtreme| e.field == Field::Gap.name() && e.is_max && e.listed == x;
@@ -163,8 +164,8 @@ impl<'a> Numbers<'a> {
         self.force(force, error)
     }
 
-    /// Formats the point contact force with index `i` inside the beam. Forces under the ends of the beam are
-    /// not counted.
+    /// Formats a point contact force between the ends of the beam. The index `i` does not count the forces
+    /// under the ends.
     pub fn inner_force(&self, i: usize, force: f64) -> String {
         self.force(force, |found| of(found.listed.forces.get(i + 1).copied()))
     }

@@ -22,7 +22,8 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 impl Picture {
-    /// The picture as the bytes of a PNG file. The width in pixels is twice the width of the picture.
+    /// Returns the picture as the bytes of a PNG file. One unit of length of the SVG file is two pixels wide in
+    /// the PNG file.
     ///
     /// # Errors
     ///

@@ -7,7 +7,7 @@ use crate::svg::{self, Picture};
 use crate::{csv, json, text};
 use groundbeam_run::{Answer, Answers, Asked, Found};
 
-/// The results of a model file, with the context of the report.
+/// The results of a model file, with the other data that a report needs, such as the title and the units.
 #[derive(Debug, Clone, Copy)]
 pub struct Results<'a> {
     answers: &'a Answers,
@@ -15,8 +15,9 @@ pub struct Results<'a> {
 }
 
 impl<'a> Results<'a> {
-    /// Adds a context to the results of a model file. The ground and the load factors of the context come
-    /// from the results. For a single model, the duration also comes from the results.
+    /// Combines the results of a model file with the other data of a report. The ground and the load factors in
+    /// `context` are replaced by those of the results. For a single model, a measured duration of the solve is
+    /// also taken from the results.
     pub fn new(answers: &'a Answers, context: Context<'a>) -> Self {
         let (ground, factors) = match (answers.asked, answers.list.first()) {
             (Asked::One, Some(one)) => (one.ground.as_ref(), one.factors.as_ref()),
@@ -36,7 +37,7 @@ impl<'a> Results<'a> {
         self.answers
     }
 
-    /// The context, with the ground and the load factors of the results.
+    /// The other data of the report, with the ground and the load factors of the results.
     pub fn context(&self) -> &Context<'a> {
         &self.context
     }

@@ -34,7 +34,7 @@ pub struct Study {
     pub largest_gap: f64,
     /// Estimated probabilities of events.
     pub events: Vec<Estimate>,
-    /// Distributions of random numbers and results.
+    /// Distributions of the random inputs and of the results.
     pub spreads: Vec<Spread>,
 }
 
@@ -43,7 +43,7 @@ pub struct Study {
 pub struct Estimate {
     /// Name of the event.
     pub name: String,
-    /// The limit that decides the event; `None` for events that are always listed and have no limit.
+    /// The limit above or below which the event occurs; `None` for an event without a limit.
     #[serde(flatten)]
     pub limit: Option<Limit>,
     /// Number of samples in which the event occurs.
@@ -118,7 +118,7 @@ pub struct Spread {
     pub mean: f64,
     /// Standard deviation of the quantity.
     pub deviation: f64,
-    /// Minimum, the quantiles of 5 %, 50 % and 95 %, and maximum.
+    /// Minimum, 5 % quantile, median, 95 % quantile and maximum.
     pub quantiles: [f64; 5],
     /// Histogram: number of samples in each of several equal intervals between the minimum and the maximum.
     pub histogram: Vec<u64>,

@@ -21,7 +21,7 @@ impl Tone {
         }
     }
 
-    /// Escape sequence of the tone for a terminal.
+    /// Terminal escape sequence that prints text in this tone; empty for plain text.
     pub fn code(self) -> &'static str {
         match self {
             Tone::Plain => "",

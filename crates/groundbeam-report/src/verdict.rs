@@ -64,9 +64,9 @@ pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
 pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String {
     let moves = match (motion.left < 0.0, motion.right < 0.0) {
         _ if motion.lifted.is_some() => hinged::moves(model, motion, units),
-        (true, false) => "the left end lifts, the right end stays".to_owned(),
-        (false, true) => "the right end lifts, the left end stays".to_owned(),
-        _ => "it lifts as a whole".to_owned(),
+        (true, false) => "the left end lifts off, the right end stays in place".to_owned(),
+        (false, true) => "the right end lifts off, the left end stays in place".to_owned(),
+        _ => "the beam lifts off as a whole".to_owned(),
     };
     let lift = units.column(Kind::Position);
     let work = units.write(Kind::Moment, motion.work * lift.size);
@@ -101,9 +101,9 @@ impl Say<'_> {
         let force = self.existence.resultant();
         let position = self.existence.resultant_position(self.model.beam.length);
         let size = self.force(force.abs());
-        let upward = if force < 0.0 { " upward" } else { "" };
+        let upward = if force < 0.0 { "upward " } else { "" };
         match position {
-            Some(x) => format!("the resultant, {size}{upward} at x = {},", self.units.position(x)),
+            Some(x) => format!("the {upward}resultant, {size} at x = {},", self.units.position(x)),
             None => "the resultant, zero,".to_owned(),
         }
     }
@@ -120,9 +120,13 @@ impl Say<'_> {
             return format!("{} acts inside the beam {}", self.resultant(), self.beam());
         }
         if self.model.supports.is_empty() {
-            return format!("{} acts down and the tension resists rotation", self.resultant());
+            return format!(
+                "{} acts downward, and the axial tension of the beam resists rotation",
+                self.resultant()
+            );
         }
-        "the loads resist every motion that lifts the beam and that the supports allow".to_owned()
+        "the loads resist every motion that lifts the beam and is allowed by its supports"
+            .to_owned()
     }
 
     fn not_unique(&self, motion: RigidMotion) -> String {
@@ -255,7 +259,7 @@ mod tests {
             ),
             (
                 beam().with_load(Load::point_force(3.0, -1.0)),
-                "the resultant, 1 upward at x = 3, lifts the beam off the ground",
+                "the upward resultant, 1 at x = 3, lifts the beam off the ground",
             ),
             (beam().with_load(Load::point_moment(3.0, 1.0)), "a moment but no resultant"),
             (beam().with_load(Load::point_force(4.0, 1.0)), "acts exactly at the right end"),
@@ -267,7 +271,7 @@ mod tests {
             (outside().with_support(Support::pinned(4.0)), "the support at its right end: the"),
             (
                 outside().with_support(Support::pinned(1.0)),
-                "lifts the beam and that the supports allow",
+                "lifts the beam and is allowed by its supports",
             ),
         ];
         for (model, part) in cases {

@@ -43,8 +43,8 @@ pub struct Named {
 pub enum ModelOf {
     /// The proof uses the model of the model file.
     File,
-    /// The proof uses the model of the document, because the independent file reader of the proof does not support
-    /// a key of the model file.
+    /// The proof uses the model in the result document, because the proof's own file reader does not support a key
+    /// that occurs in the model file.
     Document,
 }
 

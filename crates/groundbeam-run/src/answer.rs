@@ -210,7 +210,8 @@ impl Ground {
         })
     }
 
-    /// The ground of a model before the solve; `None` if the ground is not uniform or the bearing width is unknown.
+    /// The bearing width and the ground constants k and μ that follow from the model without a solve. `None` if the
+    /// ground is not uniform or the bearing width is unknown.
     pub(crate) fn before(model: &Model, width: Option<f64>) -> Option<Self> {
         let &Foundation { subgrade, shear_layer, ref segments, ref soil, .. } = &model.foundation;
         let width = soil.as_ref().map(|soil| soil.width).or(width)?;

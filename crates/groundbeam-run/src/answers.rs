@@ -56,7 +56,7 @@ impl Alone {
 }
 
 impl Answers {
-    /// The answers that contain a solution, each with this solution.
+    /// The answers that contain a solution, each paired with its solution.
     pub fn solved(&self) -> impl Iterator<Item = (&Answer, &Solution)> {
         self.list.iter().filter_map(|answer| Some((answer, answer.solution()?)))
     }
@@ -73,7 +73,7 @@ impl Answers {
         each.fold(LimitStates::NONE, LimitStates::and)
     }
 
-    /// The answers of a limit state that contain a solution, each with this solution.
+    /// The answers of a limit state that contain a solution, each paired with its solution.
     pub fn of_limit_state(&self, state: LimitState) -> impl Iterator<Item = (&Answer, &Solution)> {
         self.solved().filter(move |(answer, _)| answer.is_of(state))
     }
@@ -84,7 +84,7 @@ impl Answers {
         Passages { all, state: None }
     }
 
-    /// The worst status of all answers. A missing equilibrium is worse than missing convergence.
+    /// The worst status of all answers. The status "no equilibrium" is worse than "not converged".
     pub fn overall(&self) -> Overall {
         let each = self.list.iter().map(|answer| answer.found.overall());
         each.chain([self.passages().overall()]).max().unwrap_or(Overall::Solved)
@@ -141,8 +141,8 @@ impl<'a> Passages<'a> {
         self.all.first().map(Passage::fields).into_iter().flatten()
     }
 
-    /// The smallest and the largest value of every field at a section over all passages; `None` if no position was
-    /// solved.
+    /// The smallest and the largest value of every field over all passages at the position `x` of the beam. `None` if
+    /// no train position has a solution.
     pub fn at(&self, x: f64) -> Option<ByField<[InPassage; 2]>> {
         let each = self.counted().filter_map(|(passage, one)| {
             let bounds = one.at(x)?;
@@ -154,8 +154,8 @@ impl<'a> Passages<'a> {
         })
     }
 
-    /// The smallest and the largest value of a field on the whole beam over all passages; `None` if no position was
-    /// solved.
+    /// The smallest and the largest value of a field on the whole beam over all passages. `None` if no train position
+    /// has a solution.
     pub fn range(&self, field: Field) -> Option<[InPassage; 2]> {
         let each = self.counted().filter_map(|(passage, one)| {
             let range = one.range(field)?;
@@ -167,12 +167,13 @@ impl<'a> Passages<'a> {
         })
     }
 
-    /// Default sections of the beam for envelopes of all passages.
+    /// Default positions along the beam at which the envelopes of all train passages are evaluated.
     pub fn default_stations(&self) -> Vec<f64> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Sections of the beam for envelopes of all passages, with `even` equal steps along the beam.
+    /// Positions along the beam at which the envelopes of all train passages are evaluated. They include the ends of
+    /// `even` equal steps.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let mut x: Vec<f64> = self.all.iter().flat_map(|passage| passage.stations(even)).collect();
         x.sort_by(f64::total_cmp);
@@ -180,7 +181,7 @@ impl<'a> Passages<'a> {
         x
     }
 
-    /// The passage and the position with the largest absolute moment.
+    /// The bending moment with the largest absolute value, and the passage and the train position in which it occurs.
     pub fn largest_moment(&self) -> Option<InPassage> {
         let [min, max] = self.range(Field::Moment)?;
         Some(if max.located.value >= -min.located.value { max } else { min })
@@ -191,7 +192,7 @@ impl<'a> Passages<'a> {
         self.all.iter().map(Passage::overall).max().unwrap_or(Overall::Solved)
     }
 
-    /// Whether any position was solved.
+    /// Whether at least one train position has a solution.
     pub fn any_solved(&self) -> bool {
         self.all.iter().any(|passage| passage.solved().next().is_some())
     }

@@ -3,16 +3,16 @@
 use crate::answers::Answers;
 use groundbeam::{Field, envelope::Envelope, solution::ByField};
 
-/// An extreme value of a field for the best estimates of k and μ, with its range over all solved pairs of k
-/// and μ.
+/// The smallest or the largest value of a field for the best estimates of k and μ, and the range of this extreme
+/// value over all pairs of k and μ for which the model was solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Banded {
-    /// Value for the best estimates of k and μ.
+    /// Extreme value for the best estimates of k and μ.
     pub best: f64,
-    /// Smallest of the extreme values that result from the solved pairs of k and μ.
+    /// Smallest result for the extreme value over all pairs of k and μ for which the model was solved.
     pub low: f64,
-    /// Largest of the extreme values that result from the solved pairs of k and μ.
+    /// Largest result for the extreme value over all pairs of k and μ for which the model was solved.
     pub high: f64,
 }
 
@@ -21,8 +21,8 @@ pub const BEST: [f64; 2] = [1.0, 1.0];
 
 impl Answers {
     /// The smallest and the largest value of each field over all combinations, in the order of [`Field::ALL`].
-    /// Each value is given for the best estimates of k and μ, with its range over all solved pairs of k and μ.
-    /// `None` if the file gives no factors on k and μ, or if no combination is solved with the best
+    /// Each value is given for the best estimates of k and μ, with its range over all pairs of k and μ for which the
+    /// model was solved. `None` if the file gives no factors on k and μ, or if no combination is solved with the best
     /// estimates of k and μ.
     pub fn bands(&self) -> Option<ByField<[Banded; 2]>> {
         let mut grounds = vec![BEST];

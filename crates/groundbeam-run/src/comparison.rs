@@ -71,8 +71,8 @@ impl Run {
     }
 }
 
-/// Errors of an answer relative to the exact method. Each error is the largest difference along the beam,
-/// divided by the largest absolute value.
+/// Errors of an answer, compared with the solution of the exact method. The error of a field is its largest difference
+/// along the beam, divided by the largest absolute value of the field in the exact solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Errors {
@@ -88,7 +88,7 @@ pub struct Errors {
     pub end_forces: f64,
 }
 
-/// Number of equal steps along the beam at whose ends answers are compared.
+/// Number of equal steps into which the beam is divided. Answers are compared at the ends of all steps.
 const EVEN_STEPS: usize = 1000;
 
 impl Errors {

@@ -24,7 +24,7 @@ pub trait Host: Sync {
     /// Seconds since a fixed moment; NaN if the host has no clock.
     fn seconds(&self) -> f64;
 
-    /// Is called after each of the [`Run::pieces`](crate::Run::pieces) parts of the work.
+    /// Is called after each part of the work. The number of parts is [`Run::pieces`](crate::Run::pieces).
     fn done(&self) {}
 }
 

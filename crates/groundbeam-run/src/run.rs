@@ -23,8 +23,8 @@ pub struct Run {
     options: Options,
     growing: Option<Growing>,
     error: f64,
-    /// Whether a train with loads of infinite length is solved once for each of several placements of these
-    /// loads. If so, each named combination is also solved without a train.
+    /// Whether the model is solved for several arrangements of the distributed train loads of infinite length, for
+    /// example with only the loads behind the train. If so, each named combination is also solved without a train.
     placed_loads: bool,
 }
 
@@ -38,13 +38,13 @@ impl Run {
         }
     }
 
-    /// A run of all combinations of a file, without its trains.
+    /// A run of all load combinations of a file. The trains of the file are omitted.
     pub fn of_combinations(document: &Document) -> Self {
         let run = Run::new(document, Asked::Combinations, document.combinations());
         Run { load_cases: document.load_cases(), ..run }
     }
 
-    /// A run of some combinations of a file, with all positions of its trains.
+    /// A run of some load combinations of a file, with the trains of the file at all their positions.
     pub fn of_some(document: &Document, combinations: Vec<Combination>) -> Self {
         let trains = !document.trains.is_empty();
         let asked = if trains { Asked::Trains } else { Asked::Combinations };
@@ -53,13 +53,13 @@ impl Run {
         Run { load_cases, ..run }
     }
 
-    /// A run of one combination of a file, with all positions of its trains.
+    /// A run of one load combination of a file, with the trains of the file at all their positions.
     pub fn of_one(document: &Document, combination: Combination) -> Self {
         let asked = if document.trains.is_empty() { Asked::One } else { Asked::Trains };
         Run::new(document, asked, vec![combination])
     }
 
-    /// A run of one combination of a file, without its trains.
+    /// A run of one load combination of a file. The trains of the file are omitted.
     pub fn without_trains(document: &Document, combination: Combination) -> Self {
         Run::new(document, Asked::One, vec![combination])
     }
@@ -206,10 +206,12 @@ impl Run {
         Answers { asked: self.asked, list, alone, ground, swept }
     }
 
-    /// Returns the combinations and trains to solve, in pairs. If `placed_loads` is true, three rules apply:
+    /// Returns all pairs of a combination and a train that must be solved. If `placed_loads` is true, three rules
+    /// apply:
     ///
-    /// * The combination's factor for the load case of a train multiplies the loads of the train.
-    /// * A train with loads of infinite length is returned once for each placement of these loads.
+    /// * The loads of a train are multiplied by the combination's factor for the load case of the train.
+    /// * A train with distributed loads of infinite length gives one pair for each arrangement of these loads, for
+    ///   example with only the loads behind the train.
     /// * If there are trains, each named combination is also paired with a train that has no loads.
     fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
         let mut ways = Vec::new();

@@ -43,7 +43,7 @@ pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
             mean - scale * (EULER + exponent.ln())
         }
         Distribution::Uniform { from, to } => {
-            // The distance from the nearer end of the interval is computed, which avoids cancellation.
+            // The variate is computed from its distance to the nearer end of the interval, which avoids cancellation.
             let width = to - from;
             if z < 0.0 { from + width * probability(z) } else { to - width * probability(-z) }
         }

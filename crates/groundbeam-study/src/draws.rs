@@ -136,9 +136,9 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // Over all samples, the first of the standard normal numbers are distributed most evenly. They are
-        // therefore used for the first and largest term in the series of each random field, the next numbers for
-        // the second terms, and so on.
+        // Each sample has a sequence of standard normal numbers. Over all samples, the numbers at the start of this
+        // sequence are distributed most evenly. They are therefore used for the first and largest term in the
+        // series of each random field, the next numbers for the second terms, and so on.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))

@@ -16,10 +16,11 @@ pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
     Interval { bounds: [lower, upper], by: Way::Counts }
 }
 
-/// Computes the odds x/(1 − x) at which the probability of at least `count` events in `total` samples equals the
-/// one-sided error, half of (1 − confidence level). Returns `None` for `count` = 0.
+/// Computes the odds x/(1 − x) of the lower confidence limit x for the probability of an event. If an event has the
+/// probability x, then `count` or more events occur in `total` samples with the probability
+/// (1 − confidence level)/2. Returns `None` for `count` = 0.
 ///
-/// The probability x is a quantile of the beta distribution and is found by bisection. The tails of the binomial
+/// The limit x is a quantile of the beta distribution and is found by bisection. The tails of the binomial
 /// distribution are summed as series of positive terms, which are accurate for any numbers; continued fractions
 /// fail from about 10⁹ samples on.
 fn least_odds(count: u64, total: u64) -> Option<f64> {
@@ -48,8 +49,8 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
 /// previous term belongs to j events.
 fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     if count <= total * (odds / (1.0 + odds)) {
-        // The count is at most the mean and therefore at most the median (Kaas and Buhrman, *Stat. Neerl.* 34
-        // (1980)). So the probability of `count` or more events is at least one half.
+        // The count is at most the mean of the binomial distribution and therefore at most its median (Kaas and
+        // Buhrman, *Stat. Neerl.* 34 (1980)). So the probability of `count` or more events is at least one half.
         return true;
     }
     let mut term = exactly(count, total, odds);
@@ -74,8 +75,8 @@ fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     // `more` is the excess of the count over its mean. It is computed from the rarer outcome, whose rounding
     // error is smaller.
     let more = if odds < 1.0 { count - expected[0] } else { expected[1] - other };
-    // `distance` is the sum of n ln(n/E) over the samples with the event and those without it, where n is their
-    // number and E is the expected value of n.
+    // `distance` is the sum of n ln(n/E) over two groups: the samples with the event and the samples without it. n is
+    // the number of samples in the group, and E is the expected value of n.
     let distance = count * (more / expected[0]).ln_1p()
         + if other > 0.0 { other * (-more / expected[1]).ln_1p() } else { 0.0 };
     if other == 0.0 {
@@ -140,8 +141,8 @@ mod tests {
         }
     }
 
-    /// Tests the interval for no event in n samples, whose upper end x satisfies (1 − x)ⁿ = ½ (1 − confidence
-    /// level). The interval for n events in n samples is its mirror image.
+    /// Tests the confidence interval for 0 events in n samples. Its upper end x satisfies
+    /// (1 − x)ⁿ = ½ (1 − confidence level). The interval for n events in n samples is its mirror image.
     #[test]
     fn intervals_of_zero_and_of_all_counts_have_their_closed_form() {
         for total in (0..48).map(|power| 1_u64 << power) {

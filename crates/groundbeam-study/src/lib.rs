@@ -1,4 +1,4 @@
-//! Runs studies: solves one model for many values of ground and loads, random or given, and estimates probabilities.
+//! Runs studies: solves one model many times with random or given ground parameters and loads, and estimates probabilities.
 //!
 //! | item | purpose |
 //! |---|---|

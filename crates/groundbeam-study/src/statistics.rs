@@ -1,8 +1,8 @@
-//! Computes mean, deviation, quantiles and histogram of numbers in three passes with bounded memory.
+//! Computes the mean, standard deviation, quantiles and histogram of a series of numbers in three passes with bounded memory.
 //!
-//! The first pass gives mean, deviation and range ([`Moments`]). The second counts the numbers in many fine
-//! bins, which are equal parts of the range ([`Counted`]). The third collects the numbers in the few fine bins
-//! that contain a quantile ([`Ranked`]). The results are exact.
+//! The first pass gives the mean, the standard deviation and the range ([`Moments`]). The second pass counts the
+//! numbers in many fine bins, which are equal parts of the range ([`Counted`]). The third pass collects the numbers
+//! in the few fine bins that contain a quantile ([`Ranked`]). The results are exact.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ const HISTOGRAMS: [usize; 10] = [1, 2, 4, 5, 8, 10, 16, 20, 32, 40];
 /// Probabilities of the reported quantiles, then of the two quartiles.
 const QUANTILES: [f64; 7] = [0.0, 0.05, 0.5, 0.95, 1.0, 0.25, 0.75];
 
-/// Count, mean, deviation and range of the numbers, computed in the first pass. NaN is not counted.
+/// Count, mean, standard deviation and range of the numbers, computed in the first of three passes. NaN is not counted.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments {
     count: u64,
@@ -46,8 +46,8 @@ impl Moments {
         (self.count > 0).then_some(self.range[1])
     }
 
-    /// Ends the first pass over the numbers, which gives mean, deviation and range, and starts the second pass,
-    /// which counts the numbers in fine bins. Returns `None` if no number was added.
+    /// Ends the first pass over the numbers, which gives mean, standard deviation and range, and starts the second
+    /// pass, which counts the numbers in fine bins. Returns `None` if no number was added.
     pub fn counted(self) -> Option<Counted> {
         (self.count > 0).then(|| Counted { moments: self, parts: vec![Part::EMPTY; PARTS] })
     }
@@ -64,7 +64,7 @@ impl Part {
     const EMPTY: Part = Part { count: 0, range: [f64::INFINITY, f64::NEG_INFINITY] };
 }
 
-/// Counts of the numbers in fine bins of equal width, computed in the second pass.
+/// Counts of the numbers in fine bins of equal width, computed in the second of three passes over the numbers.
 #[derive(Debug, Clone)]
 pub struct Counted {
     moments: Moments,
@@ -90,7 +90,7 @@ impl Counted {
         *range = [range[0].min(value), range[1].max(value)];
     }
 
-    /// Starts the third pass.
+    /// Starts the third pass over the numbers, which collects the numbers in the fine bins that contain a quantile.
     pub fn ranked(self) -> Ranked {
         let mut kept = BTreeMap::new();
         for rank in QUANTILES.into_iter().flat_map(|part| self.ranks(part).0) {
@@ -125,7 +125,7 @@ impl Counted {
     }
 }
 
-/// The numbers near the quantiles, collected in the third pass.
+/// The numbers in the fine bins that contain a quantile, collected in the third pass over all numbers.
 #[derive(Debug, Clone)]
 pub struct Ranked {
     counted: Counted,
@@ -138,7 +138,7 @@ pub struct Ranked {
 pub struct Statistics {
     pub mean: f64,
     pub deviation: f64,
-    /// The smallest number, the quantiles of 5, 50 and 95 %, and the largest number.
+    /// The smallest number, the 5 %, 50 % and 95 % quantiles, and the largest number.
     pub quantiles: [f64; 5],
     pub histogram: Vec<u64>,
 }
@@ -174,9 +174,9 @@ impl Ranked {
         below + between * (above - below)
     }
 
-    /// Counts the numbers in the bins of a histogram. The width of a bin is that of Freedman and Diaconis, *Z.
-    /// Wahrscheinlichkeitstheorie* 57 (1981): twice the distance between the quartiles, divided by the cube
-    /// root of the count.
+    /// Counts the numbers in each bin of a histogram. The bin width is about that of Freedman and Diaconis, *Z.
+    /// Wahrscheinlichkeitstheorie* 57 (1981): twice the interquartile range, divided by the cube root of the number
+    /// of values.
     fn histogram(&self, [lower, upper]: [f64; 2]) -> Vec<u64> {
         let Moments { count, range: [least, most], .. } = self.counted.moments;
         let width = 2.0 * (upper - lower) / (count as f64).cbrt();

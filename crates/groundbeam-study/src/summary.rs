@@ -97,7 +97,7 @@ impl Columns {
     }
 }
 
-/// Returns the quantities of the summary and the quantities that decide events.
+/// Returns the quantities that the summary describes, and the quantities that decide whether events occur.
 fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     let one = |name: &str, kind| Number {
         name: name.to_owned(),
@@ -126,7 +126,7 @@ fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     all
 }
 
-/// Name of the quantity that decides an event.
+/// Name of the quantity that decides whether an event occurs.
 fn judged(of: Judged) -> String {
     match of {
         Judged::LiftedShare => "lifted_share".to_owned(),
@@ -177,7 +177,7 @@ struct Tally {
 struct Happening {
     name: String,
     limit: Option<Limit>,
-    /// Index of the quantity that decides the event; `None` for the loss of equilibrium.
+    /// Index of the quantity that decides whether the event occurs; `None` for the loss of equilibrium.
     by: Option<usize>,
     /// For each replicate, the number of samples with the event and the number with unknown outcome.
     counts: Vec<[u64; 2]>,
@@ -209,8 +209,9 @@ impl Tally {
         Tally { statuses: [0; Status::ALL.len()], happenings, samples: 0, each }
     }
 
-    /// Counts the statuses and events of samples in order. Every event counts as occurred for a beam without
-    /// equilibrium, and as unknown for a sample without a result.
+    /// Adds the statuses and events of the next samples to the counts. The samples must be passed in the order of
+    /// their numbers. In a sample without equilibrium, every event counts as occurred; in a sample without a result,
+    /// as unknown.
     fn add(&mut self, statuses: &[Status], columns: &[Vec<f64>]) {
         for (i, status) in statuses.iter().enumerate() {
             self.statuses[*status as usize] += 1;
@@ -240,8 +241,8 @@ impl Happening {
         if limit.above { columns[by][i] > limit.limit } else { columns[by][i] < limit.limit }
     }
 
-    /// Estimates the probability of the event. Each sample of unknown outcome widens the interval to include both
-    /// outcomes.
+    /// Estimates the probability of the event, with a confidence interval. If the outcome of a sample is unknown, the
+    /// interval covers both possible outcomes.
     fn estimate(self, plan: Plan) -> Estimate {
         let [count, open] = [0, 1].map(|i| self.counts.iter().map(|own| own[i]).sum::<u64>());
         let total = plan.samples;

@@ -1,4 +1,4 @@
-//! Provides the tests of all crates with the repository's files, generated texts, and external programs.
+//! Reads repository files, compares generated texts with these files, and finds external programs for the tests of all crates.
 
 mod expected;
 mod files;

@@ -1,6 +1,6 @@
-//! Solves the model of a result document again and proves the document; writes all computed numbers as text.
+//! Solves the model of a result document again, proves the results of the document, and writes all computed numbers as text.
 //!
-//! The texts of two platforms are equal if all numbers are equal bit by bit. A double is written as the
+//! Two platforms give the same text if all numbers are equal bit by bit. A double is written as the
 //! shortest decimal that reads back as the same double, and every NaN as `NaN`.
 
 #![cfg_attr(not(target_family = "wasm"), forbid(unsafe_code))]
@@ -10,8 +10,8 @@ mod module;
 
 use groundbeam_proof::{Ball, Document, Enclosing, Log, Wide, read_model, verify_and_log};
 
-/// Returns the solution of the model in a result document, and two proofs of this document with their logs. One
-/// proof is computed in the number type `Wide`, and the other proof in the number type `Ball`.
+/// Solves the model that a result document contains, and proves the result in this document twice: in the number type
+/// `Wide` and in the number type `Ball`. Returns the solution and both proofs with their logs.
 ///
 /// The input has three parts separated by zero bytes: the text of the model file, the name of the load combination
 /// (which may be empty), and the document of one result.
@@ -34,7 +34,7 @@ pub fn results(input: &str) -> String {
     format!("solution: {solution}\nwide: {wide}\nball: {ball}\n")
 }
 
-/// Solution of the model in the document.
+/// Returns the solution of the model that the result document contains.
 fn solution(document: &Document) -> String {
     let Some(model) = &document.model else { return "the document has no model".to_owned() };
     match groundbeam_file::parse(model) {

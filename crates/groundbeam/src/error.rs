@@ -45,8 +45,8 @@ pub struct Stopped {
     pub why: NotConverged,
 }
 
-/// Reason why a method stopped without an accepted solution. The number in a variant is the relative value of the
-/// quantity that did not reach its tolerance.
+/// Reason why a method stopped without an accepted solution. The number in a variant is the last value of a
+/// dimensionless quantity that did not fall below its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {
@@ -88,17 +88,21 @@ impl NotConverged {
                 "the last move of a contact edge relative to the beam's length"
             }
             NotConverged::Singular => {
-                "the stiffness matrix of the beam bonded in trial contact zones"
+                "the stiffness matrix of the beam bonded to the ground in the trial contact zones"
             }
             NotConverged::Nodes => "the set of contact nodes",
             NotConverged::Supports => "the set of active one-way supports",
             NotConverged::Branch(_) => "the stability margin at the end of the path of equilibria",
-            NotConverged::LiftOff(_) => "the certificate's relative gap at first lift-off",
-            NotConverged::Soil(_) => "the relative change of the rate r = ∫u'²/∫u²",
-            NotConverged::CancellingLoads(_) => {
-                "the certificate's relative gap for loads that cancel each other to rounding error"
+            NotConverged::LiftOff(_) => {
+                "the relative energy gap of the certificate at first lift-off"
             }
-            NotConverged::Gap(_) => "the certificate's relative gap",
+            NotConverged::Soil(_) => {
+                "the relative change of the ratio r = ∫u'²/∫u² of the ground displacement u"
+            }
+            NotConverged::CancellingLoads(_) => {
+                "the relative energy gap of the certificate for loads that cancel to rounding error"
+            }
+            NotConverged::Gap(_) => "the relative energy gap of the certificate",
         }
     }
 
@@ -137,7 +141,9 @@ impl fmt::Display for NotConverged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NotConverged::Singular => {
-                return f.write_str("the beam bonded in trial contact zones is a mechanism");
+                return f.write_str(
+                    "the beam bonded to the ground in the trial contact zones is a mechanism",
+                );
             }
             NotConverged::Nodes | NotConverged::Supports => {
                 return write!(f, "{} did not settle", self.what());
@@ -232,14 +238,14 @@ mod tests {
         let expected = "\
 the method `uzawa` stopped after 7 iterations: the relative residual of the contact condition (5.10) of Kikuchi (1980) is 1.2e-3; the tolerance is 1.0e-11
 the method `uzawa` stopped after 7 iterations: the last move of a contact edge relative to the beam's length is 1.2e-3; the tolerance is 1.0e-12
-the method `uzawa` stopped after 7 iterations: the beam bonded in trial contact zones is a mechanism
+the method `uzawa` stopped after 7 iterations: the beam bonded to the ground in the trial contact zones is a mechanism
 the method `uzawa` stopped after 7 iterations: the set of contact nodes did not settle
 the method `uzawa` stopped after 7 iterations: the set of active one-way supports did not settle
 the method `uzawa` stopped after 7 iterations: the stability margin at the end of the path of equilibria is 1.2e-3; the tolerance is 1.0e-3
-the method `uzawa` stopped after 7 iterations: the certificate's relative gap at first lift-off is 1.2e-3; the tolerance is 1.0e-9
-the method `uzawa` stopped after 7 iterations: the relative change of the rate r = ∫u'²/∫u² is 1.2e-3; the tolerance is 1.0e-12
-the method `uzawa` stopped after 7 iterations: the certificate's relative gap for loads that cancel each other to rounding error is 1.2e-3; the tolerance is 1.0e-9
-the method `uzawa` stopped after 7 iterations: the certificate's relative gap is 1.2e-3; the tolerance is 1.0e-9
+the method `uzawa` stopped after 7 iterations: the relative energy gap of the certificate at first lift-off is 1.2e-3; the tolerance is 1.0e-9
+the method `uzawa` stopped after 7 iterations: the relative change of the ratio r = ∫u'²/∫u² of the ground displacement u is 1.2e-3; the tolerance is 1.0e-12
+the method `uzawa` stopped after 7 iterations: the relative energy gap of the certificate for loads that cancel to rounding error is 1.2e-3; the tolerance is 1.0e-9
+the method `uzawa` stopped after 7 iterations: the relative energy gap of the certificate is 1.2e-3; the tolerance is 1.0e-9
 ";
         assert_eq!(written(1.23e-3), expected);
     }

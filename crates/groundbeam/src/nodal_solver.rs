@@ -88,8 +88,9 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
-    /// Solves from the contact zones in `into`. If the number of nodes differs or the iteration does not
-    /// converge, solves from coarse grids.
+    /// Solves the model with the contact zones in `into` as initial guess. If `into` has no contact zones, if its
+    /// number of nodes differs from that of the new grid, or if the iteration does not converge, solves from coarse
+    /// grids.
     fn search_near(
         &mut self,
         model: &Model,

@@ -40,8 +40,8 @@ pub struct Options {
     pub method: Method,
     /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts of the
     /// model add nodes. [`Method::ActiveSet`] doubles the number while its iteration does not converge. On Winkler
-    /// ground, it also doubles the number while the certificate's bound of the energy of the error exceeds the strain
-    /// energy. [`Method::Exact`] ignores the number.
+    /// ground, it also doubles the number while the estimated error energy exceeds the strain energy.
+    /// [`Method::Exact`] ignores the number.
     pub elements: usize,
     /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].
     pub start: Start,

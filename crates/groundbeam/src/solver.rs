@@ -60,8 +60,8 @@ impl Solver {
         Solver { options, ..Self::default() }
     }
 
-    /// Solves a model. Its solution has the same bits as that of [`solve`](crate::solve()), independent of
-    /// previous solves.
+    /// Solves a model. The solution is bitwise equal to that of [`solve_with`](crate::solve_with) with the options of
+    /// this solver, regardless of previous solves.
     ///
     /// # Errors
     ///

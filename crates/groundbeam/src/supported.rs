@@ -63,7 +63,8 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// All features, in the order of the rows in the table of features and methods, and of the checks.
+    /// All features, in the order of the rows in the table of features and methods. The features are checked in the
+    /// same order.
     pub const ALL: [Feature; 7] = [
         Feature::LocalEquilibrium,
         Feature::NoShearLayer,
@@ -149,8 +150,8 @@ pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error
     Ok(())
 }
 
-/// Finds the foundation or the foundation segment without a shear layer under the beam; `None` if there is a
-/// shear layer everywhere.
+/// Finds a part of the ground under the beam that has no shear layer: the foundation or one of its segments. Returns
+/// `None` if there is a shear layer under the whole beam.
 fn without_shear_layer(model: &Model) -> Option<Part> {
     let ground = &model.foundation;
     let mesh = Mesh::build(model, &[], |_| 1);

@@ -1,4 +1,4 @@
-//! Solves a case and computes the quantities that it expects.
+//! Solves the models of a case, and computes the quantities for which the case gives expected values.
 
 use super::expectation::{Expectation, Of, Value};
 use groundbeam::{Error, Solution};

@@ -47,7 +47,7 @@ pub enum Tolerance {
     Same,
     /// An absolute tolerance, in the unit of the value.
     Absolute(f64),
-    /// A tolerance relative to the largest expected value of the line.
+    /// A tolerance relative to the largest of the values expected in the same line of the file.
     Relative(f64),
 }
 

@@ -80,7 +80,9 @@ impl Case {
             expectations.push(expectation);
         }
         if expectations.is_empty() {
-            return Err(whole("the file has no expectation, a line that begins with `#:`".into()));
+            return Err(whole(
+                "the file has no expectation like `#: moment(2) = 10 rel 1e-12`".into(),
+            ));
         }
         let source = source.ok_or_else(|| whole("the file has no line `#: source = …`".into()))?;
         if document.title.is_none() {

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 /// Number of equal steps along the beam. The fields are evaluated at the ends of the steps.
 pub const STEPS: usize = 40;
-/// Number of steps between two positions whose values are written if `in_full` is false.
+/// Number of steps along the beam between consecutive positions whose values are written, if `in_full` is false.
 const COARSE: usize = 10;
 
 /// Returns the lines of an answer. They contain the fields at all positions if `in_full` is true, otherwise at five
@@ -49,7 +49,7 @@ pub fn forces(solution: &Solution) -> String {
 fn of_fields(solution: &Solution, in_full: bool) -> String {
     let mut text = String::new();
     let mut add = |key: &str, values: &[f64]| text += &line(key, values);
-    // The frozen text lists the rotation last.
+    // The stored reference answers list the rotation after all other fields.
     let (last, first): (Vec<_>, Vec<_>) =
         Field::of(&solution.model().beam).partition(|field| *field == Field::Rotation);
     let listed = first.into_iter().chain(last);
@@ -72,7 +72,7 @@ fn of_fields(solution: &Solution, in_full: bool) -> String {
     text + &format!("fields_digest {:016x}\n", digest.0)
 }
 
-/// Returns the lines of a verdict and of the static reactions.
+/// Returns lines of text that state the verdict on the existence of an equilibrium, and the static reactions.
 pub fn verdict(existence: &Existence) -> String {
     let verdict = match existence.verdict {
         Verdict::Unique => line("verdict unique", &[]),

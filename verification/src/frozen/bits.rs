@@ -27,7 +27,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Returns all differences in bits between a frozen answer and the present answer.
+/// Returns every value whose bits differ between a frozen answer and the present answer.
 pub fn differences(frozen: &Frozen, present: &Frozen) -> Vec<Difference> {
     of_records(&frozen.answer, &present.answer)
 }

@@ -1,13 +1,14 @@
 //! Compares two answers to one model, for example of two machines or methods, within the bounds of their certificates.
 //!
-//! Let g be the relative gap of an answer. √g bounds the error of this answer in the energy norm, relative to the
-//! energy. With e = √g + √g′ of both answers, the settlements at a point differ by at most the sum of both settlement
-//! bounds, the moments in root mean square by the sum of both moment bounds, and the energies by at most the larger
-//! gap. These bounds are theorems. No theorem bounds the other quantities. The limits of the other quantities are
-//! measured. Each frozen model was solved again from the contact set of the same model with loads times 1.01 and 0.9,
-//! which changes only the rounding errors. Compressed, CompressedToo, the models of Extreme from number 50 on and
-//! four slow models of Hard were not measured. One model, Supported 1303, exceeded the limits with a third contact
-//! zone of negligible force.
+//! Let g and g′ be the relative energy gaps of the two answers. √g and √g′ bound the relative errors of the two answers
+//! in the energy norm, and e is the sum √g + √g′.
+//!
+//! The settlements at a point differ by at most the sum of both settlement bounds. The root mean square of the
+//! difference of the moments is at most the sum of both moment bounds. The energies differ by at most the larger gap.
+//! These bounds are theorems. No theorem bounds the other quantities; their limits come from measurements. Each frozen
+//! model was solved again from the contact set of the same model with loads times 1.01 and 0.9, which changes only the
+//! rounding errors. Compressed, CompressedToo, the models of Extreme from number 50 on and four slow models of Hard were
+//! not measured. One model, Supported 1303, exceeded the limits with a third contact zone of negligible force.
 //!
 //! | quantity, relative to its largest size | largest difference | limit |
 //! |---|---|---|
@@ -33,12 +34,13 @@ const EDGE: f64 = 1e-7;
 /// Part of the accepted difference of two values that covers rounding errors, relative to the largest value of the
 /// quantity.
 const FLOOR: f64 = 1e-9;
-/// Relative limit that replaces `FLOOR` for the shear force V at supports, and in models with a contact zone or a gap
-/// between zones that is shorter than `EDGE` times the beam length.
+/// Part of the accepted difference of the shear force V at supports that covers rounding errors, relative to the
+/// largest V. It applies on the whole beam if a contact zone, or a gap between two contact zones, is shorter than
+/// `EDGE` times the beam length.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
-/// Limits of the differences of fields, as multiples of e = √g + √g′. The second limit applies to the shear force V and
-/// the pressure p, which are derivatives of the moment with respect to x. The first limit applies to all other fields.
-/// g and g′ are the relative energy gaps of the stored and the present answer.
+/// Limits of the difference of a field between the stored and the present answer, as multiples of √g + √g′. Here g and
+/// g′ are the relative energy gaps of the two answers. The second limit applies to the shear force and the pressure,
+/// the first limit to all other fields.
 const SHARES: [f64; 2] = [3.0, 100.0];
 
 /// Returns all differences between a frozen answer and the present answer that exceed the bounds. A frozen answer
@@ -77,7 +79,7 @@ struct Comparison<'a> {
     solution: &'a Solution,
     /// The sum √g + √g′ for the relative energy gaps g of the stored answer and g′ of the present answer.
     error: f64,
-    /// Bounds of settlement, moment and shear force of the present answer; infinite if the proof has none.
+    /// Error bounds of settlement, moment and shear force for the present answer; infinite if nothing is proven.
     bounds: [f64; 3],
     /// Whether the stored or the present answer has a contact zone, or a gap between two zones, that is shorter than
     /// the accepted difference of contact edges.
@@ -135,8 +137,8 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Returns the magnitude of a field to which the accepted differences are relative: the largest absolute value of
-    /// the field in the stored answer, or a larger value that accounts for rounding errors.
+    /// Returns the reference magnitude of a field for relative differences: the largest absolute value of the field in
+    /// the stored answer, or a larger value that accounts for rounding errors.
     fn size(&self, field: Field) -> f64 {
         let own = |field: Field| {
             let values = self.answer().numbers(&format!("extremes_{}", field.name()));
@@ -146,8 +148,8 @@ impl<'a> Comparison<'a> {
                 .fold(0.0, f64::max)
         };
         match field {
-            // Gap and settlement are computed as differences that contain the deflection. Their rounding errors are
-            // relative to the deflection, so at least the size of the deflection is used.
+            // Gap and settlement are differences that contain the deflection, so their rounding errors are proportional
+            // to the deflection. Their reference magnitude is therefore at least that of the deflection.
             Field::Gap | Field::Settlement => own(field).max(own(Field::Deflection)),
             Field::ShearForce => self
                 .answer()
@@ -267,7 +269,7 @@ impl<'a> Comparison<'a> {
         // program wrote the certificate, this bound limits the root mean square of the error.
         let bounds = [bounds[0], bounds[bounds.len() - 1]];
         let present = self.bounds;
-        // If the proof does not cover a kind of model, only the frozen bound is used.
+        // If the proof gives no bound for the present answer, the bound of the stored answer is used for both answers.
         let [settlement, moments] =
             [0, 1].map(|i| bounds[i] + if present[i].is_finite() { present[i] } else { bounds[i] });
         let mut squares = [0.0, 0.0];
@@ -280,7 +282,7 @@ impl<'a> Comparison<'a> {
             squares = [squares[0] + moment * moment, squares[1] + 1.0];
         }
         let rms = (squares[0] / squares[1]).sqrt();
-        self.hold("root mean square of the difference of moments", 0.0, rms, moments);
+        self.hold("RMS difference between stored and present moments", 0.0, rms, moments);
     }
 
     /// Returns the indices of the values that the stored answer has for `key`, and the positions on the beam where

@@ -30,7 +30,7 @@ pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("frozen")
 }
 
-/// Returns the names of the families in a folder, in alphabetical order.
+/// Returns the names of the families of frozen models in a folder, in alphabetical order.
 ///
 /// # Errors
 ///

@@ -118,7 +118,7 @@ pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// Varies k and μ along one to three stretches of the ground. Each stretch has no shear layer with the probability 1/10.
+/// Varies k and μ along one to three stretches of the ground. With probability 1/10, a stretch has no shear layer.
 pub(super) fn vary_ground<R: Rng>(
     mut ground: Foundation,
     length: f64,
@@ -175,7 +175,8 @@ pub(super) fn change_beside<R: Rng>(
     ground
 }
 
-/// Adds loads on the ground up to its ends. They are of the order of the loads on the beam.
+/// Adds loads on the ground under and next to the beam. Their magnitudes are comparable with those of the loads on the
+/// beam.
 pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, ground) = (model.beam.length, model.foundation.clone());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
@@ -201,7 +202,7 @@ pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// Returns up to three stretches of a beam. With the probability 1/3, the only stretch is the whole beam.
+/// Returns up to three stretches of a beam. With probability 1/3, the only stretch is the whole beam.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
         return vec![[0.0, length]];

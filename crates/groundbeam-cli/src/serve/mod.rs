@@ -16,7 +16,7 @@ use std::net::Ipv4Addr;
 use std::path::Path;
 use tokio::net::TcpListener;
 
-/// Initial model, units and digits of the page.
+/// Model, units and number of displayed digits with which the page starts.
 #[derive(Debug, Clone)]
 pub struct Start {
     pub model: Option<StartingModel>,

@@ -62,8 +62,8 @@ macro_rules! technical {
     };
 }
 
-/// Returns the name and the size of the first unit in `ladder` that is used for values of the magnitude
-/// `size`.
+/// Returns the name of the first unit in `ladder` that suits a value of the magnitude `size`, and the factor from this
+/// unit to the SI unit.
 pub(super) fn fitting(ladder: &[Rung], size: f64) -> (&'static str, f64) {
     let fits = ladder.iter().find(|rung| size >= rung.from);
     let rung = fits.or(ladder.last()).unwrap_or(&BARE);
@@ -91,8 +91,7 @@ impl Kind {
         }
     }
 
-    /// Returns the exponent n of the unit force × lengthⁿ of this kind; `None` for quantities without a
-    /// force.
+    /// Returns n if quantities of this kind have the unit force × lengthⁿ, and `None` if their unit contains no force.
     pub(super) fn power_of_length(self) -> Option<i32> {
         match self {
             Kind::BendingStiffness => Some(2),

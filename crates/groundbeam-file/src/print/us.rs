@@ -10,7 +10,7 @@ const POUND: f64 = 4.448_221_615_260_5;
 /// Choice among US units: feet or inches, and kips or pounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct UsUnits {
-    /// Kinds of quantity that are printed with inches, as a set of bits with one bit for each kind.
+    /// Kinds of quantity whose printed unit contains inches, as a bit set with one bit for each kind.
     inches: u16,
     /// Whether forces of every size are printed in pounds.
     pounds: bool,

@@ -127,16 +127,15 @@ pub(crate) const AREA_SHEAR: Kind = kind(
     "MN/m",
     &[(
         Dimension::FORCE,
-        "give the shear constant over the whole width as the force `mu`, in place of `C2`",
+        "a force is the shear constant of the whole width: give it as `mu`, in place of `C2`",
     )],
 )
 .sign(Sign::NotNegative)
 .printed_as(print::Kind::AreaShear);
 pub(crate) const UNIT_WEIGHT: Kind =
-    kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]).sign(Sign::Positive).plausible(
-        [5e3, 9e4],
-        "a unit weight is usually between 5 and 90 kN/m³, that is 32 and 570 pcf",
-    );
+    kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[])
+        .sign(Sign::Positive)
+        .plausible([5e3, 9e4], "a unit weight is usually between 5 and 90 kN/m³ (32 and 570 pcf)");
 pub(crate) const STRESS_LIMIT: Kind = kind("a pressure", STRESS, "200 kPa", "kPa", &[])
     .sign(Sign::Positive)
     .printed_as(print::Kind::Stress);

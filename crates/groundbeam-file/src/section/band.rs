@@ -32,7 +32,7 @@ pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> O
         );
     }
     if let (Some(value), false) = (table.value("mu"), shears) {
-        let message = "the band has factors on `mu`, but the ground has no shear layer";
+        let message = "`[foundation.band]` has factors for `mu`, but the ground has no shear layer";
         let hint = "give the ground a `mu`, or leave the band of `mu` out";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
     }

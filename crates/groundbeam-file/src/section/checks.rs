@@ -143,7 +143,7 @@ fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground
     }
 }
 
-/// Reports an empty list of limit states, because the check would never be judged.
+/// Reports an empty list of limit states, because the check would then never be carried out.
 fn refuse_empty(reader: &mut Reader, states: &Section, key: &str) {
     let Some(value) = states.empty_list(key) else { return };
     let message = format!("`{key}` names no limit state");

@@ -1,13 +1,14 @@
-//! Computes the length of the chords that replace settlement troughs, from the stiffness of beam and ground and the loads.
+//! Computes the length of the chords that replace the curves of settlement troughs, from the stiffnesses and the loads.
 
 use super::trough::Trough;
 use groundbeam::{Beam, Load, Model};
 
-/// Allowed error of a result due to the chords, relative to the largest magnitude of this result along the beam.
+/// Allowed error of a result if chords replace the curve of a settlement trough, relative to the largest magnitude of
+/// this result along the beam.
 const TOLERANCE: f64 = 1e-3;
 
-/// Number of chords per trough width for an accurate deflection. It applies up to [`NEAR`] trough widths
-/// from the middle of a trough.
+/// Number of chords per width of a settlement trough that makes the deflection of the beam accurate. The chords replace
+/// the curve of the trough. The number applies up to [`NEAR`] trough widths from the middle of the trough.
 const PER_WIDTH: f64 = 24.0;
 const NEAR: f64 = 5.0;
 /// Number of chords per beam length that is always sufficient for accurate contact edges. The chords replace the curve
@@ -25,30 +26,35 @@ const PER_LENGTH: f64 = 600.0;
 /// * contact edges: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
 pub(super) struct Spacing<'a> {
     troughs: &'a [Trough],
-    /// Chords of equal length near each trough, for an accurate deflection and bending moment.
+    /// For each settlement trough, the chords of equal length that replace its curve near its middle. They make the
+    /// deflection and the bending moment of the beam accurate.
     even: Vec<Even>,
-    /// Required 1/h² for an accurate pressure, divided by the curvature |g″| of the gap. h is the chord length.
+    /// Factor on the curvature |g″| of the initial gap g. The product is the value of 1/h² that an accurate pressure
+    /// requires, where h is the chord length.
     by_curvature: f64,
-    /// Required 1/h for accurate contact edges, divided by the curvature |g″| of the gap. h is the chord length.
+    /// Factor on the curvature |g″| of the initial gap g. The product is the value of 1/h that accurate contact edges
+    /// require, where h is the chord length.
     by_corner: f64,
     /// Number of chords per unit length that is always sufficient for accurate contact edges. The chords replace the
     /// curve of a settlement trough.
     most_for_corners: f64,
 }
 
-/// Chords of equal length near a settlement trough, for an accurate deflection and bending moment.
+/// Chords of equal length that replace the curve of a settlement trough near its middle. They make the deflection and
+/// the bending moment of the beam accurate.
 struct Even {
-    /// Required 1/h² near the trough, where h is the chord length.
+    /// Required value of 1/h² near the settlement trough, where h is the length of the chords that replace its curve.
     density: f64,
-    /// Square of the ratio d/i, where d is the largest distance from the middle of the trough at which these chords
-    /// are required, and i the trough width.
+    /// Square of d/i, where i is the width of the settlement trough. The chords of equal length are used up to the
+    /// distance d from the middle of the trough.
     reach: f64,
 }
 
 impl<'a> Spacing<'a> {
-    /// Computes the required number of chords per unit length for a model under the mean load `pressure` \[N/m\].
-    /// `multiples` are the lower and upper factors on k and on μ. An infinite `pressure` means that the model has no
-    /// loads. An accurate pressure and accurate contact edges then require no chords.
+    /// Computes how many chords per unit length must replace the curves of the settlement troughs of a model.
+    /// `multiples` are the lower and upper factors on the subgrade modulus k and on the stiffness μ of the shear layer.
+    /// `pressure` is the mean load \[N/m\]. For a model without loads, `pressure` is infinite, and the accuracy of pressure
+    /// and contact edges requires no chords.
     pub fn new(
         model: &Model,
         multiples: [[f64; 2]; 2],
@@ -60,8 +66,8 @@ impl<'a> Spacing<'a> {
         let even = troughs.iter().map(|trough| {
             let of_field = PER_WIDTH / trough.width;
             let of_moment = ranges.bonded().map(|bonded| 1.0 / bonded.longest(trough.width));
-            // A beam beside the trough rests on the tail of the trough. At a distance of t trough widths
-            // from the middle, the tail decays over 1/t trough widths.
+            // A beam beside the middle of a settlement trough rests on the tail of the trough. At the distance of t
+            // trough widths from the middle, the tail decays over a length of 1/t trough widths.
             let away = ((trough.at.clamp(0.0, l) - trough.at) / trough.width).powi(2);
             Even {
                 density: of_moment.fold(of_field, f64::max).powi(2) * (1.0 + away),
@@ -179,10 +185,11 @@ impl Bonded {
     /// Computes the length of the longest chord for which the error of the moment is within the tolerance,
     /// for a trough of this `width`.
     fn longest(&self, width: f64) -> f64 {
-        // The difference between the gap g and its chords is a parabola over each chord, with the chord length h as
-        // period. The bending moments of all its harmonics add up to at most about π²/3 ≈ 3.3 times T |g″|, where T =
-        // `self.moment(2π/h)`. This sum may be at most the fraction `TOLERANCE` of the moment `self.moment(1/width)`
-        // |g″| of the trough.
+        // `self.moment(q)` is the ratio of the bending moment to the curvature of a gap of the wavenumber q. The
+        // trough has the wavenumber 1/width. The chords differ from the trough by a parabola over each chord, with the
+        // chord length h as period. The harmonic n of this difference adds at most about 2/n² times
+        // `self.moment(2π/h)` to the ratio, so all harmonics together add at most π²/3 ≈ 3.3 times `self.moment(2π/h)`.
+        // This sum may be at most the fraction `TOLERANCE` of the ratio for the trough.
         let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
         let (mut short, mut long) = (0.0, width);
         for _ in 0..60 {

@@ -155,7 +155,7 @@ pub(super) fn read(
     }
     for (name, span) in taken {
         if file.made.contains(&name) {
-            let message = format!("a set also contains a combination `{name}`");
+            let message = format!("a combination of a set already has the name `{name}`");
             let hint = "give each combination a name of its own";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
         }
@@ -279,7 +279,7 @@ impl<'a> File<'a> {
         let Some((written, span)) = reader.text(table, "set") else { return };
         let Some((practice, set)) = sets::find(written.trim()) else {
             if let [first, others @ ..] = &sets::meant(written.trim())[..] {
-                let message = format!("`{}` may mean either of two different sets", written.trim());
+                let message = format!("`{}` may mean several sets of combinations", written.trim());
                 let others: String = others.iter().map(|name| format!(" or `{name}`")).collect();
                 let hint = format!("write `{first}`{others}");
                 reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
@@ -311,7 +311,7 @@ impl<'a> File<'a> {
             Ok(made) => {
                 if let Some(again) = made.iter().find(|made| self.made.contains(&made.name)) {
                     let message =
-                        format!("a set already contains the combination `{}`", again.name);
+                        format!("an earlier `set` contains the combination `{}`", again.name);
                     let hint = "write each set only once";
                     reader.report(Fault::new(code::REPEATED, span, message, "", hint));
                 }
@@ -381,7 +381,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// Reports a load case that has no type of action, or one that the design code of `set` does not define.
+/// Reports a load case without a type of action, or with a type of action that the design code of `set` does not define.
 fn wanting(
     reader: &mut Reader,
     (practice, set, span): (&Practice, &Set, &Range<usize>),

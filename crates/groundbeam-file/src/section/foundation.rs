@@ -39,7 +39,7 @@ const SUBGRADE: Key = key(
     "The spring constant per area. It needs `width`; k is this constant times `width`.",
 )
 .also(&["ks", "k_s", "modulus", "bedding_modulus"]);
-const C1: Key = key("C1", MODULUS, "Another name of `subgrade_modulus`.");
+const C1: Key = key("C1", MODULUS, "Another name for `subgrade_modulus`.");
 const BEARING: Key = along("width", &WIDTH, 2, "The bearing width of the beam.").also(ALSO_WIDTH);
 const MU: Key = along(
     "mu",
@@ -92,7 +92,11 @@ pub(super) static TABLE: Table = Table {
         BEARING,
         MU,
         C2,
-        tables("segment", &SEGMENT, "A part of the ground with different constants."),
+        tables(
+            "segment",
+            &SEGMENT,
+            "A part of the ground whose constants differ from those in `[foundation]`.",
+        ),
         table("soil", &soil::TABLE, "Soil data, from which k and mu follow."),
         table("band", &band::TABLE, "Lower and upper factors on k and mu."),
         table("left", &LEFT, "The left end of the ground; default: unbounded."),
@@ -156,7 +160,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
     ground
 }
 
-/// Reads ground that is defined by soil data, and reports constants of the ground that are also given.
+/// Reads ground that is defined by soil data. Reports an error for each constant of the ground that is given as well.
 fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) -> Ground {
     for key in ["k", "subgrade_modulus", "C1", "mu", "C2", "segment", "left", "right"] {
         if let Some((name, _)) = table.table.get_key_value(key) {
@@ -257,14 +261,14 @@ fn read_segment(
     let (ends, way) = whole.ends(reader, table);
     let own = given(reader, table);
     let [own_width, width] = [&own, &whole.given(way)].map(|given| given.factors[1].clone());
-    // A segment with its own width has its own μ = C2 × width.
+    // A segment with its own bearing width has its own μ, the product of this width and the shear constant `C2`.
     let inherits = own_width.is_some() && table.value("mu").is_none();
     let inherited = of_area.filter(|_| inherits).map(|along| along.between(way));
     let of_area = reader.along(table, "C2").or(inherited);
     let own_shear = shear(reader, table, of_area.as_ref(), own_width.clone().or(width).as_ref());
     let mut segment = whole.segment(reader, table, (ends, way), &own, own_shear);
-    // If k or μ varies along the whole beam, the ground outside the beam keeps the constant values of the
-    // beam's end. Therefore, segments that reach beyond the beam are cut off at its ends.
+    // If k or μ of the table `[foundation]` varies along the beam, the ground outside the beam has the constant values
+    // at the nearest end of the beam. Therefore, a segment that reaches beyond an end of the beam is cut off there.
     if whole.varies() && segment.from < whole.length && segment.to > 0.0 {
         segment.from = segment.from.max(0.0);
         segment.to = segment.to.min(whole.length);
@@ -280,7 +284,7 @@ fn given(reader: &mut Reader, table: &Section) -> Given {
     };
     let (modulus, again) = (modulus("subgrade_modulus"), modulus("C1"));
     if let (Some(modulus), Some(again)) = (&modulus, &again) {
-        let hint = "C1 is another name of the subgrade modulus; give it once";
+        let hint = "`C1` is another name for `subgrade_modulus`: give only one of the two keys";
         let keys = ["subgrade_modulus", "C1"];
         reader.exclusive((keys[0], &modulus.span), (keys[1], &again.span), hint);
     }

@@ -52,9 +52,9 @@ pub(super) fn read(
         }
         Err(chords) => {
             let message = format!(
-                "the troughs need {chords:.0} straight pieces; at most {MOST_CHORDS} are allowed"
+                "the settlement troughs need {chords:.0} chords; at most {MOST_CHORDS} are allowed"
             );
-            let hint = "check `settlement`, the loads, EI, k and mu: the pieces are short under a light load or a flexible beam \
+            let hint = "check `settlement`, the loads, EI, k and mu: the chords are short under a light load or a flexible beam \
                         on stiff ground; or give the points yourself as [[gap]]";
             reader.report(Fault::new(code::CHORDS, first.span.clone(), message, "", hint));
             None

@@ -1,4 +1,4 @@
-//! Reads `[[load]]` and loads on the ground.
+//! Reads the tables `[[load]]` (loads on the beam) and `[[ground_load]]` (loads on the ground).
 
 use super::curl;
 use super::curl::Curls;

@@ -84,7 +84,7 @@ pub(crate) struct Contents {
     pub trains: Vec<MovingTrain>,
     /// Greatest depth of the beam's sections, if known.
     pub height: Option<f64>,
-    /// Depth of the section along the beam; empty if it is not known everywhere.
+    /// Depth of the beam's section along the beam; empty if the depth of any part of the beam is unknown.
     pub depths: Vec<Depth>,
 }
 

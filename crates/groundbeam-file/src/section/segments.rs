@@ -74,8 +74,9 @@ impl Whole {
         (ends, ends.map(|x| (x / self.length).clamp(0.0, 1.0)))
     }
 
-    /// Computes a segment. `own` contains EI or k (or its factors) from the table of the segment, and `second` contains
-    /// S or μ from this table, if given.
+    /// Computes a segment of the beam (bending stiffness EI and shear stiffness S) or of the ground (subgrade modulus k
+    /// and stiffness μ of the shear layer). `own` and `second` come from the table of the segment: `own` is EI or k, or
+    /// the factors whose product is EI or k, and `second` is S or μ.
     pub fn segment(
         &self,
         reader: &mut Reader,
@@ -87,7 +88,7 @@ impl Whole {
         let [name, second_name] = self.body.fields;
         let stiffness = own.resolve(reader, &self.given(way), &self.body.keys);
         let stiffness = match (stiffness, &self.stiffness) {
-            // The segment inherits EI or k. A wrong value is reported at the table for the whole beam.
+            // The segment inherits EI from `[beam]` or k from `[foundation]`. A wrong value is reported at that table.
             (Stiffness::NotGiven, Stiffness::Known(whole)) if second.is_some() => {
                 reader.place(table, name, &Field::unreadable(0..0));
                 whole.between(way)
@@ -105,8 +106,8 @@ impl Whole {
         Segment { from, to, stiffness: stiffness.profile, second }
     }
 
-    /// Returns the constants that apply outside all segments. If a quantity varies along the whole beam,
-    /// adds segments that cover the rest of the beam.
+    /// Returns constant values of EI and S of the beam, or of k and μ of the ground, for use outside all segments. If one
+    /// of these quantities varies along the beam, adds segments for the parts of the beam that have no segment.
     pub fn complete(
         self,
         reader: &mut Reader,

@@ -73,7 +73,7 @@ impl Shape {
         Shape { depth: unknown, ..Shape::constant([f64::NAN; 3], span) }
     }
 
-    /// Returns the properties of the section between two fractions of the length of the stretch.
+    /// Returns the section properties on the part of their stretch between two fractions of the stretch's length.
     pub fn between(&self, way: [f64; 2]) -> Self {
         Shape {
             inertia: self.inertia.between(way),
@@ -90,7 +90,7 @@ struct Kind {
     name: &'static str,
     sides: &'static [&'static str],
     measure: fn(&[f64]) -> Result<[f64; 3], &'static str>,
-    /// Whether the areas and I are polynomials of the dimensions, of degree 2 and 4.
+    /// Whether the areas are polynomials of degree 2 in the dimensions, and the second moment of area I a polynomial of degree 4.
     is_polynomial: bool,
 }
 

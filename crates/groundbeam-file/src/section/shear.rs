@@ -16,7 +16,7 @@ const SHEARS: Value = Value::Along(&SHEAR_STIFFNESS, Profile::MOST);
 pub(super) const STIFFNESS: Key =
     key("shear_stiffness", SHEARS, "The shear stiffness S = κGA; default: no shear deformation.")
         .also(&["kga", "gas", "gav", "shear_rigidity", "timoshenko"]);
-pub(super) const GA: Key = key("GA", SHEARS, "Another name of `shear_stiffness`.");
+pub(super) const GA: Key = key("GA", SHEARS, "Another name for `shear_stiffness`.");
 pub(super) const MODULUS: Key =
     along("G", &SHEAR_MODULUS, 2, "The shear modulus; it needs a `section` or `shear_area`.")
         .also(&["shear_modulus"]);

@@ -77,7 +77,7 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "plate_modulus",
             &SUBGRADE_MODULUS,
-            "The subgrade modulus of a plate test, for `terzaghi-clay` and `terzaghi-sand`.",
+            "The subgrade modulus from a plate load test, for `terzaghi-clay` and `terzaghi-sand`.",
         ),
         quantity(
             "plate_width",
@@ -169,7 +169,7 @@ fn elastic(reader: &mut Reader, table: &Section) -> Elastic {
     let poisson = reader.required(table, "nu");
     if poisson.value < 0.0 || poisson.value >= 0.5 {
         let message = "Poisson's ratio of a soil must lie between 0 and 0.5";
-        let hint = "write 0.2 to 0.35 for sand, or 0.4 to 0.45 for wet clay; 0.5 is not allowed";
+        let hint = "Poisson's ratio is about 0.2 to 0.35 for sand and 0.4 to 0.45 for wet clay; 0.5 is not allowed";
         reader.report(Fault::new(code::POISSON, poisson.span, message, "", hint));
         return Elastic { modulus, poisson: f64::NAN };
     }

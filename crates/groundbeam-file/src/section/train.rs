@@ -26,12 +26,14 @@ static UNIFORM: Table = Table {
         quantity(
             "from",
             &OFFSET,
-            "The distance from the first axle back to the front end of the load; default: the load has no front end.",
+            "The distance from the first axle back to the front end of the load; default: the load extends \
+             forward without limit.",
         ),
         quantity(
             "to",
             &OFFSET,
-            "The distance from the first axle back to the rear end of the load; default: the load has no rear end.",
+            "The distance from the first axle back to the rear end of the load; default: the load extends \
+             backward without limit.",
         ),
         quantity("load", &LOAD_PER_LENGTH, "The force per length, downward.").needed(),
     ],
@@ -44,7 +46,7 @@ pub(super) static TABLE: Table = Table {
         key(
             "set",
             Value::Name("LM71", trains::spellings),
-            "A train of a code of practice, in place of axles.",
+            "The name of a train of a code of practice, in place of `axles` and `uniform`.",
         )
         .also(&["code", "standard"]),
         tables("axles", &AXLE, "The axles, from the front to the rear.")
@@ -163,7 +165,8 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     };
     for key in ["axles", "uniform"] {
         if let Some(other) = table.value(key) {
-            let hint = "the set defines the loads of the train: give either the set or the loads";
+            let hint =
+                "`set` defines the loads of the train: give either `set`, or `axles` and `uniform`";
             reader.exclusive(("set", &set.span()), (key, &other.span()), hint);
         }
     }

@@ -20,13 +20,13 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
-/// Maximum number of points of the gap that are added for troughs.
+/// Maximum number of points that the settlement troughs may add to the polygon of the initial gap.
 pub(super) const MOST_CHORDS: usize = 10_000;
-/// Step, in trough widths, of the numerical integration that counts the chords. The integrand is the
-/// required number of chords per unit length.
+/// Step of the numerical integration over a settlement trough, as a fraction of the trough width. The integral of the
+/// required number of chords per unit length is the number of chords that replace the trough.
 const STEP: f64 = 1.0 / 16.0;
-/// Distance from the middle of a trough, in trough widths, beyond which the trough needs no points. At this
-/// distance, the depth is below 2e-14 of the maximum.
+/// Range of the numerical integration on each side of the middle of a settlement trough, as a multiple of the trough
+/// width. At the end of this range, the settlement is less than 2e-14 of its maximum.
 const REACH: f64 = 8.0;
 
 /// Smallest magnitude of a nonzero gap, which is the smallest nonzero number that a model may have.
@@ -55,8 +55,8 @@ impl Trough {
         (self.at + self.settlement + self.width).is_finite()
     }
 
-    /// Returns an upper bound of the curvature of the trough at the distance of t trough widths from its
-    /// middle, from `t2` = t². The bound is positive at every distance, also at the point of inflection.
+    /// Returns an upper bound of the absolute curvature of the settlement trough at a distance of t trough widths from
+    /// its middle. The argument is `t2` = t².
     pub fn largest_curvature(&self, t2: f64) -> f64 {
         let size = (self.settlement / (self.width * self.width)).abs();
         size * (t2 * t2 - t2 + 1.0).sqrt() * (-0.5 * t2).exp()
@@ -67,8 +67,8 @@ impl Trough {
         self.settlement * (-0.5 * t * t).exp()
     }
 
-    /// Returns positions along the beam, symmetric about the middle of the trough. The required number of chords per
-    /// unit length is computed midway between neighbouring positions.
+    /// Returns the ends of the steps of the numerical integration over the settlement trough. They are positions along
+    /// the beam, symmetric about the middle of the trough.
     fn grid(&self) -> impl Iterator<Item = f64> {
         let steps = (REACH / STEP) as i32;
         let Trough { at, width, .. } = *self;
@@ -76,8 +76,8 @@ impl Trough {
     }
 }
 
-/// Returns the points of the polygon that replaces the sum of the model's gap and the troughs. Returns the
-/// number of chords as an error if the number exceeds [`MOST_CHORDS`].
+/// Returns the points of the polygon that replaces the sum of the initial gap and the settlement troughs. If the
+/// troughs need more than [`MOST_CHORDS`] additional points, returns the number of these points as an error.
 pub(super) fn sunk(
     model: &Model,
     troughs: &[Trough],
@@ -111,9 +111,9 @@ pub(super) fn sunk(
     Ok(places.into_iter().map(corner).collect())
 }
 
-/// Divides a stretch of the beam into chords. The required number of chords per unit length has the same
-/// integral over each chord. Appends the right ends of the chords to `places`. Returns the number of points
-/// that the division needs inside the stretch.
+/// Divides a stretch of the beam into chords such that the integral of the required number of chords per unit length is
+/// the same over each chord. Appends the right end of each chord to `places`. Returns the number of points inside the
+/// stretch at which two chords meet.
 fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     let whole: f64 = stretch.iter().map(|(from, to, density)| (to - from) * density).sum();
     let parts = whole.ceil().max(1.0);
@@ -132,7 +132,7 @@ fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     parts - 1.0
 }
 
-/// Computes the gap without troughs at the position `x`.
+/// Returns the initial gap at the position `x` without the settlement troughs.
 fn base(gap: &[GapPoint], x: f64) -> f64 {
     let right = gap.partition_point(|corner| corner.at < x);
     match (right.checked_sub(1).map(|i| gap[i]), gap.get(right)) {

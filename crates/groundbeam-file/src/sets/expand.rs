@@ -1,4 +1,4 @@
-//! Generates load combinations from a set of a code of practice and the load cases of a file.
+//! Generates load combinations from the load cases of a file and a set of combination rules of a code of practice.
 //!
 //! Superposition is not valid with lift-off, so no action can be left out because it seems favourable. All
 //! subsets of the variable cases are combined with all leading actions and all factors of the permanent
@@ -163,8 +163,8 @@ struct Expansion<'a> {
 }
 
 impl Expansion<'_> {
-    /// Combines all factors of all permanent cases by recursion over the cases. `rows` records the index of
-    /// the factor chosen for each case.
+    /// Generates the combinations for every choice of one factor for each permanent load case, by recursion over the
+    /// cases. `rows` records the index of the chosen factor of each case.
     fn permanent(
         &mut self,
         terms: &Terms,

@@ -55,7 +55,7 @@ pub(crate) struct Set {
     /// uses one of them is refused.
     #[serde(default)]
     ambiguous: Vec<String>,
-    /// Clause and table of the code that define the set.
+    /// Clause and table of the code of practice that define this set of load combinations.
     pub source: String,
     /// The remark `one source` if a value of the set is not confirmed by a second source.
     remark: Option<String>,
@@ -70,9 +70,10 @@ pub(crate) struct Set {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Formula {
-    /// Prefix of the names of the combinations of this expression.
+    /// Prefix of the names of all combinations that this combination expression generates.
     label: String,
-    /// Limit states of this expression in addition to the limit states of the set.
+    /// Limit states of the combinations of this combination expression, in addition to the limit states of the whole
+    /// set of load combinations.
     #[serde(default)]
     also_limit_states: Vec<String>,
     /// Actions that act in every combination in addition to the permanent actions of the code. Each action has
@@ -117,20 +118,20 @@ static PRACTICES: LazyLock<Vec<Practice>> = LazyLock::new(|| {
     ])
 });
 
-/// Returns the set with this name and the code of practice that contains the set.
+/// Finds a set of load combinations by its name. Returns the set and the code of practice that contains it.
 pub(crate) fn find(name: &str) -> Option<(&'static Practice, &'static Set)> {
     let mut all = PRACTICES.iter().flat_map(|p| p.sets.iter().map(move |set| (p, set)));
     all.find(|(_, set)| set.is_called(name))
 }
 
-/// Returns the main names of all sets for which `name` is an ambiguous name.
+/// Returns the names of all sets of load combinations for which `name` is an ambiguous name.
 pub(crate) fn meant(name: &str) -> Vec<&'static str> {
     let all = PRACTICES.iter().flat_map(|p| &p.sets);
     let claims = |set: &&Set| set.ambiguous.iter().any(|ambiguous| ambiguous == name);
     all.filter(claims).map(|set| &*set.name).collect()
 }
 
-/// Returns the main and alternative names of all sets.
+/// Returns the names and alternative names of all sets of load combinations.
 pub(crate) fn spellings() -> Vec<&'static str> {
     catalogue::spellings(PRACTICES.iter().flat_map(|practice| &practice.sets))
 }
@@ -154,7 +155,7 @@ impl Entry for Set {
     }
 }
 
-/// Returns the main names of all sets.
+/// Returns the names of all sets of load combinations, without alternative names.
 pub(crate) fn names() -> Vec<&'static str> {
     PRACTICES.iter().flat_map(|p| &p.sets).map(|set| set.name.as_str()).collect()
 }
@@ -183,7 +184,7 @@ impl Practice {
         letters.filter(|_| has_factors).find(|letter| !action.gamma.contains_key(*letter))
     }
 
-    /// Returns the names of all actions of the code.
+    /// Returns the names of all actions that the code of practice defines.
     pub fn actions(&self) -> impl Iterator<Item = &str> {
         self.actions.iter().map(|action| action.name.as_str())
     }
@@ -196,7 +197,7 @@ pub struct CombinationSet {
     pub name: &'static str,
     /// The code of practice.
     pub code: &'static str,
-    /// Clause and table of the code that define the set.
+    /// Clause and table of the code of practice that define this set of load combinations.
     pub source: &'static str,
     /// The remark `one source` if a value of the set is not confirmed by a second source.
     pub remark: Option<&'static str>,

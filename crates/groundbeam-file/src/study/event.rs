@@ -36,7 +36,7 @@ pub struct Event {
     pub of: Judged,
     /// Side of the limit on which the event occurs.
     pub side: Exceeds,
-    /// Limit of the result, in SI units or in the file's own units.
+    /// Limit for the result in SI units; in a file without units, in the units of the file.
     pub limit: f64,
 }
 
@@ -87,7 +87,7 @@ impl Judged {
         })
     }
 
-    /// Returns the field whose extreme values decide the event; `None` for a result that is not a field.
+    /// Returns the field whose extreme values decide whether the event occurs; `None` if the result is not a field.
     pub fn field(self) -> Option<Field> {
         match self {
             Judged::Smallest(field) | Judged::Largest(field) | Judged::Difference(field) => {

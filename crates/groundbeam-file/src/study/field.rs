@@ -30,14 +30,14 @@ pub struct RandomField {
     pub rho: f64,
 }
 
-/// A quantity that varies along the beam.
+/// A property of beam or ground that is a random field along the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldOf {
-    /// The property that varies: k, μ or EI.
+    /// The property that is a random field: k, μ or EI.
     pub property: Property,
-    /// Mean of the quantity, positive.
+    /// Mean of the property k, μ or EI, positive.
     pub mean: f64,
-    /// Standard deviation of the quantity, positive.
+    /// Standard deviation of the property k, μ or EI, positive.
     pub deviation: f64,
 }
 

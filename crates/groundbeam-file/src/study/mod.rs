@@ -1,4 +1,4 @@
-//! Reads study files, which contain the model, its random numbers, the sampling method, and the requested results.
+//! Reads study files, which name the model and define its random parameters, the sampling method and the requested results.
 
 mod event;
 mod field;
@@ -49,7 +49,7 @@ pub(crate) static STUDY: Table = Table {
             "The number of independent hypercubes or sequences; default: 16.",
         ),
         tables("random", &random::TABLE, "A random parameter of the model."),
-        tables("correlated", &random::CORRELATED, "The correlation of two random numbers."),
+        tables("correlated", &random::CORRELATED, "The correlation of two random parameters."),
         table("field", &field::TABLE, "Random fields along the beam."),
         table("keep", &keep::TABLE, "The values saved for each sample."),
         tables("event", &event::TABLE, "A condition whose probability is estimated."),
@@ -73,7 +73,7 @@ pub struct StudyFile {
     pub plan: Plan,
     /// Random parameters of the model.
     pub random: Vec<Random>,
-    /// Correlations between the random numbers.
+    /// Correlations between the random parameters.
     pub joined: Vec<Joined>,
     /// Random fields of the ground stiffness and of the bending stiffness along the beam.
     pub field: Option<RandomField>,
@@ -266,10 +266,11 @@ fn model(
                 () => None,
             };
             if let Some(what) = several {
-                let message =
-                    format!("`{name}` has {what}, but a study needs a model with one result");
+                let message = format!(
+                    "`{name}` has {what}, but a study needs a model with a single solution"
+                );
                 let hint =
-                    "use a model file without trains, combinations and ranges of ground stiffness";
+                    "use a model file without trains, combinations or ranges of ground stiffness";
                 reader.report(Fault::new(code::EXCLUSIVE, span, message, "", hint));
                 return Ok(None);
             }

@@ -1,4 +1,4 @@
-//! Reads `[[random]]` and `[[correlated]]`: random numbers of the model and their correlations.
+//! Reads `[[random]]` and `[[correlated]]`: random parameters of the model and their correlations.
 
 use crate::code;
 use crate::document::Document;
@@ -18,62 +18,62 @@ use toml::de::DeValue;
 /// A random parameter of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Random {
-    /// Name of the random number in the file, such as `load[0]`.
+    /// Name of the random parameter in the study file, such as `load[0]`.
     pub name: String,
     /// Parameter of the model whose value is random.
     pub target: Parameter,
-    /// Distribution of the random number.
+    /// Probability distribution of the random parameter.
     pub distribution: Distribution,
 }
 
-/// Distribution of a random number, in SI units or in the file's own units.
+/// Probability distribution of a random parameter in SI units; in a file without units, in the units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
     /// `normal`.
     Normal {
-        /// Mean.
+        /// Mean of the random parameter.
         mean: f64,
-        /// Standard deviation, positive.
+        /// Standard deviation of the random parameter, positive.
         deviation: f64,
     },
-    /// `lognormal`: the logarithm of the number is normally distributed.
+    /// `lognormal`: the logarithm of the random parameter is normally distributed.
     Lognormal {
-        /// Mean, positive.
+        /// Mean of the random parameter, positive.
         mean: f64,
-        /// Standard deviation, positive.
+        /// Standard deviation of the random parameter, positive.
         deviation: f64,
     },
     /// `gumbel`: the type I extreme value distribution of largest values.
     Gumbel {
-        /// Mean.
+        /// Mean of the random parameter.
         mean: f64,
-        /// Standard deviation, positive.
+        /// Standard deviation of the random parameter, positive.
         deviation: f64,
     },
     /// `uniform`: all values between two numbers are equally probable.
     Uniform {
-        /// Smallest value.
+        /// Smallest value of the random parameter.
         from: f64,
-        /// Largest value.
+        /// Largest value of the random parameter.
         to: f64,
     },
     /// `triangular`: a piecewise linear density between two numbers, with its peak at the mode.
     Triangular {
-        /// Smallest value.
+        /// Smallest value of the random parameter.
         from: f64,
-        /// Most probable value.
+        /// Most probable value of the random parameter.
         mode: f64,
-        /// Largest value.
+        /// Largest value of the random parameter.
         to: f64,
     },
 }
 
-/// Correlation of two random numbers.
+/// Correlation of two random parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joined {
-    /// Zero-based indices of the two correlated random numbers.
+    /// Zero-based indices of the two correlated random parameters.
     pub of: [usize; 2],
-    /// Correlation of the normal scores of the two numbers.
+    /// Correlation coefficient of the normal scores of the two random parameters.
     pub rho: f64,
 }
 
@@ -87,8 +87,13 @@ static DISTRIBUTIONS: Words = Words {
 pub(super) static TABLE: Table = Table {
     name: "[[random]]",
     keys: &[
-        text("what", "k_factor", "The name of the random number, such as `load[0]`.").needed(),
-        word("distribution", &DISTRIBUTIONS, "The distribution of the number.").needed(),
+        text("what", "k_factor", "The name of the random parameter, such as `load[0]`.").needed(),
+        word(
+            "distribution",
+            &DISTRIBUTIONS,
+            "The probability distribution of the random parameter.",
+        )
+        .needed(),
         key(
             "mean",
             Value::Depends,
@@ -116,11 +121,15 @@ pub(super) static CORRELATED: Table = Table {
         key(
             "what",
             Value::List(&Value::Text("load[0]"), [2, 2]),
-            "The names of two random numbers.",
+            "The names of two random parameters.",
         )
         .needed(),
-        quantity("rho", &RATIO, "The correlation of the normal scores of the two numbers.")
-            .needed(),
+        quantity(
+            "rho",
+            &RATIO,
+            "The correlation of the normal scores of the two random parameters.",
+        )
+        .needed(),
     ],
 };
 
@@ -157,7 +166,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
     all
 }
 
-/// Returns the name, the parameter and the location of the number that the key `what` names.
+/// Reads the key `what`, which names a parameter of the model. Returns the name, the parameter, and the location of the
+/// name in the file.
 fn target(
     reader: &mut Reader,
     table: &Section,
@@ -321,7 +331,7 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
         let Some(of) = pair(reader, &table, random, &written) else { continue };
         let span = table.span.clone();
         if all.iter().any(|other| other.of == of) {
-            let message = "the correlation of these two random numbers has already been given";
+            let message = "the correlation of these two random parameters has already been given";
             let hint = "give it once";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
             continue;
@@ -331,8 +341,8 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
     all
 }
 
-/// Returns the indices of the two random numbers in the list `what`, in ascending order. The name of a random
-/// number that has already been refused causes no second message.
+/// Returns the indices of the two random parameters that the list `what` names, in ascending order. A name whose
+/// `[[random]]` table has already been refused causes no second message.
 fn pair(
     reader: &mut Reader,
     table: &Section,
@@ -360,7 +370,7 @@ fn pair(
                 return None;
             }
             let message = format!("no [[random]] has the name `{name}`");
-            let hint = "only random numbers can be correlated";
+            let hint = "only random parameters can be correlated";
             reader.report(Fault::new(code::UNKNOWN_WORD, value.span(), message, "", hint));
             return None;
         };

@@ -8,8 +8,8 @@ const FINEST: u128 = 64;
 /// of an inch and all decimals with six digits after the point are whole numbers of such parts.
 const PARTS: u128 = 1_000_000;
 
-/// Converts a length in feet and inches, or a length with a fraction, to a decimal number of inches. Returns
-/// `None` for other texts, also for one decimal number with its unit, such as `6.5 in`.
+/// Converts a length in feet and inches, or a length with a fraction, to a decimal number of inches. Returns `None` for
+/// any other text, including a single decimal number with its unit, such as `6.5 in`.
 pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     let text = text.trim();
     let (sign, text) = match text.strip_prefix(['-', '\u{2212}']) {

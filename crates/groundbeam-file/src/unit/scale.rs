@@ -3,7 +3,7 @@
 /// Factor `numerator / denominator × 10^ten` of a unit. It is exact as long as the integers fit into 128 bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scale {
-    /// Numerator and denominator; `None` if one of them exceeds 128 bits.
+    /// Numerator and denominator of the factor without its power of ten; `None` if one of them exceeds 128 bits.
     fraction: Option<(u128, u128)>,
     ten: i32,
     approximate: f64,

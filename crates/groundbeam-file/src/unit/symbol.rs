@@ -194,7 +194,7 @@ mod tests {
     use super::*;
     use crate::number::Decimal;
 
-    /// Returns the value of "1 symbol" in N, m and rad.
+    /// Returns the factor that converts the unit with the symbol `word` to N, m and rad.
     fn one(word: &str) -> f64 {
         let (scale, ..) = look_up(word).unwrap_or_else(|| panic!("{word} is not known"));
         Decimal::read("1").unwrap().0.times(&scale)

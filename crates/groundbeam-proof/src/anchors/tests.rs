@@ -31,32 +31,39 @@ fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
             let ratio = bound.value() / exact;
             assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
         };
-        // The bound of `between` applies to the midpoint between two anchors. There, the kernel that multiplies the
-        // derivative of the rotation error is half the distance from the nearer anchor. The kernel that multiplies the
-        // error of the shear strain is ±½.
+        // The function `between` applies to the midpoint between two anchors, which are positions with known error
+        // bounds. The deflection error at the midpoint contains an integral between the anchors. The integrand is the
+        // derivative of the rotation error times half the distance from the nearer anchor, plus the shear strain error
+        // times ±½.
         let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
         is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
-        // The bound of `beyond` applies to the end of an overhang beyond two anchors. On the overhang, the kernel that
-        // multiplies the derivative of the rotation error is the distance from this end. Between the anchors, this
-        // kernel decreases linearly from `over` to zero. The kernel that multiplies the error of the shear strain is 1
-        // on the overhang and `over / h` between the anchors.
+        // The function `beyond` applies to the free end of an overhang of length `over`, next to two anchors at the
+        // distance `h` from each other. Anchors are positions with known error bounds. The deflection error at the free
+        // end contains two integrals. The first integrand is the derivative of the rotation error times a kernel. On
+        // the overhang, this kernel is the distance from the free end; between the anchors, it decreases linearly from
+        // `over` to zero. The second integrand is the shear strain error times a kernel, which is 1 on the overhang and
+        // `over / h` between the anchors.
         let outside = integral(over, |x| (over - x).powi(2));
         let bent = (outside + integral(h, |x| (over * (1.0 - x / h)).powi(2))).sqrt();
         let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
         let exact = near + (near + far) * over / h + s * bent + sheared * slid;
         is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
-        // The bound of `along_slope` applies to the end of an overhang if the rotation error is bounded at a
-        // position beside the overhang. Between this position and the overhang, the kernel that multiplies the
-        // derivative of the rotation error is `over`, the length of the overhang.
+        // The function `along_slope` applies to the free end of an overhang if the rotation error is bounded at a
+        // position at the distance `h` from the overhang. The deflection error at the free end contains the integral of
+        // the derivative of the rotation error times a kernel. On the overhang, this kernel is the distance from the
+        // free end. Between the position and the overhang, it is the length `over` of the overhang.
         let bent = (outside + integral(h, |_| over * over)).sqrt();
         let exact = slope * over + s * bent + sheared * over.sqrt();
         is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
     }
 }
 
-/// Compares the bound of `from_mean` with numerical integration. The bound is (1 + √2)(mean of a + mean of b) + b₁.
-/// Here a is the absolute error of the deflection, and b bounds the difference between the error and its tangent at
-/// the midpoint of the interval. b₁ is the value of b at the ends of the interval.
+/// Compares the result of `from_mean`, a bound of the deflection error on an interval, with numerical integration. The
+/// function b bounds the difference between the deflection error and its tangent at the midpoint of the interval.
+///
+/// The mean absolute value of the tangent is at most the mean absolute error plus the mean of b. The tangent is linear,
+/// so it is at most 1 + √2 times its mean absolute value. The deflection error exceeds the tangent by at most the value
+/// of b at the ends of the interval.
 #[test]
 fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     let mut random = numbers();
@@ -75,8 +82,9 @@ fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     }
 }
 
-/// Checks that a lower bound of the pressure is computed only on middle parts that lie within the piece. If a piece of
-/// length 1.6 has the stored half length 1, the half length of a middle part may be at most 0.8.
+/// Checks that the pressure is bounded from below only on middle parts that lie within the piece. The half length that
+/// is stored with a piece may be wrong. If it is 1 and the length of the piece is 1.6, the half length of a middle part
+/// may be at most 0.8.
 #[test]
 fn pressures_are_bounded_within_the_piece_only() {
     for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
@@ -85,8 +93,8 @@ fn pressures_are_bounded_within_the_piece_only() {
         let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
         assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
     }
-    // One exact end of the piece lies 0.1 inside the stored end. The half length of a middle part, divided by the
-    // stored half length 0.8, may therefore be at most 0.875.
+    // One exact end of the piece lies 0.1 inside the stored end. A middle part is centred at the stored midpoint, so
+    // its half length may be at most 0.8 − 0.1 = 0.7. This is 0.875 times the stored half length 0.8.
     for exact in [[0.0, 1.5], [0.1, 1.6]] {
         let piece = Piece { x: [0.0, 1.6], half: 0.8, deflection: vec![1.0], ..Piece::default() };
         let units = Units { length: 0, force: 0 };
@@ -95,9 +103,9 @@ fn pressures_are_bounded_within_the_piece_only() {
     }
 }
 
-/// The total load is a quarter larger than the resultant of the claimed pressure, or than that of the claimed
-/// reactions. The relative correction of pressure and reactions is therefore ¼, and their lower bounds are ¾ of the
-/// claimed values.
+/// Tests two models. In the first, the total load is 5/4 of the resultant of the claimed pressure. In the second, it is
+/// 5/4 of the resultant of the claimed reactions. The correction for exact equilibrium is therefore ¼ of the claimed
+/// values, and their lower bounds are ¾ of the claimed values.
 #[test]
 fn redistributed_pressures_and_reactions_keep_their_share() {
     let springs = "[[support]]\nat = 0\ntype = 'pinned'\nacts = 'up'\n[[support]]\nat = 2\ntype = 'pinned'\nacts = 'up'\n\
@@ -129,8 +137,9 @@ fn redistributed_pressures_and_reactions_keep_their_share() {
     }
 }
 
-/// Three parts are joined by an elastic and by a free hinge. Each of the parts that the elastic hinge joins has one pin,
-/// so only both together have two anchors. The third part has one anchor, the free hinge, and can rotate.
+/// In the first two cases, one elastic hinge and one free hinge join three parts of the beam. An anchor is a position
+/// with a known bound of the deflection error. Each of the two parts at the elastic hinge has one anchor, its pin, so
+/// these two parts together have two anchors. The third part has only one anchor, the free hinge, and can rotate.
 #[test]
 fn parts_beyond_a_free_hinge_have_no_common_bound() {
     let hinge =

@@ -1,4 +1,4 @@
-//! Compares the clearance of open ground and its bounds with sampled functions and closed forms.
+//! Compares bounds of clearance and ground displacement on pieces without contact with sampled values and closed forms.
 
 #![cfg(test)]
 
@@ -84,7 +84,8 @@ impl Ground {
     }
 }
 
-/// Checks the bound (13a) of docs/proof.md for the flux at the end of varying ground.
+/// Checks the bound (13a) of docs/proof.md for the force μy′ in the shear layer at the end of a stretch with varying k
+/// and μ. Here y is the error of the ground displacement.
 #[test]
 fn the_flux_at_the_end_of_varying_ground_is_bounded() {
     let mut random = numbers();
@@ -198,8 +199,9 @@ fn a_clearance_above_a_limit_is_shown() {
     assert!((50..350).contains(&shown), "{shown}");
 }
 
-/// Checks on random pieces: if `falls` returns true, the clearance decreases towards the given end faster than the
-/// limit. If it returns false, the rate of decrease exceeds the limit only slightly or not at all.
+/// Checks the function `falls` on random pieces. If it returns true, the clearance decreases towards the given end of
+/// the interval at least at the rate `limit`. If it returns false, the smallest rate of decrease is less than `limit`,
+/// or exceeds `limit` only slightly.
 #[test]
 fn a_fall_of_the_clearance_is_shown() {
     let mut random = numbers();
@@ -312,9 +314,9 @@ fn half_of_an_open_length_between_regions_is_open() {
     assert!(theta == 0.0 && (0.9..1.0).contains(&steep), "{theta} {steep}");
 }
 
-/// The ground has k = 1 and μ = 1 + x. The claimed deflection is w = 2 − x. On the open piece from x = 1 to x = 2, the
-/// claimed ground displacement is u = 2 − x + ¼(x − 1)². So the residual ku − (μu′)′ of the open ground is at most 1,
-/// and the contact pressure ku − (μw′)′ at x = 1 is 2.
+/// The ground has k = 1 and μ = 1 + x. The claimed deflection is w = 2 − x. On the piece without contact from x = 1 to
+/// x = 2, the claimed ground displacement is u = 2 − x + ¼(x − 1)². So the absolute value of the residual ku − (μu′)′
+/// on this piece is at most 1, and the contact pressure ku − (μw′)′ at x = 1 is 2.
 #[test]
 fn the_error_of_an_edge_of_varying_ground_contains_its_residual() {
     let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\nleft = { ends = 0, as = 'free' }\n\

@@ -124,8 +124,9 @@ fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
     });
 }
 
-/// The ground displacement is u = −sinh(2t)/sinh 2 with t = 2x − 1, so u″ = 16u. Checks the lower bound of u″ on
-/// an interval: 16 times a lower bound of u, which follows from the tangent of u or is the smallest value −1 of u.
+/// The ground displacement is u = −sinh(2t)/sinh 2 with t = 2x − 1, so u″ = d²u/dx² = 16u. Checks the lower bound of
+/// u″ on an interval. It is 16 times the larger of two lower bounds of u: the smallest value −1 of u, and the
+/// smallest value of a parabola with the value and the slope of u in the middle of the interval.
 #[test]
 fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 16\nmu = 1\n";
@@ -147,11 +148,12 @@ fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
     });
 }
 
-/// The straight beam w = 5/4 − x/2 is claimed to be in contact with a shear layer on one half of its length, and
-/// penetrates the ground on the other half. Checks the energy norm of the correction of the ground surface. If the
-/// beam touches the ground at one end of the penetrated half only, the correction grows linearly from zero at this
-/// end to the other end. If it touches the ground at both ends, the correction grows linearly from zero at each
-/// end to the middle. k, μ and the stiffness of the ground outside the beam are 1.
+/// The straight beam w = 5/4 − x/2, or its mirror image, lies on a shear layer. It is claimed to be in contact on one
+/// half of its length, and out of contact on the other half, where it penetrates the ground. Checks the energy norm
+/// of the surface correction that removes the penetration. If the beam touches the ground at only one end of the half
+/// out of contact, the correction grows linearly from zero at this end to the other end. If the beam touches the
+/// ground at both ends of this half, the correction grows linearly from zero at each end to the middle. k, μ and the
+/// stiffness of the ground outside the beam are 1.
 #[test]
 fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -184,8 +186,8 @@ fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
     }
 }
 
-/// The beam penetrates the surface u = 0 by (1 ∓ t)²(2 ± t)/4, which falls from 1 at one end to 0 at the other. The bound of
-/// the depth on the whole piece is sharp, although that from one value in the middle is 2.
+/// The beam penetrates the surface u = 0 by (1 ∓ t)²(2 ± t)/4, which falls from 1 at one end to 0 at the other end.
+/// The bound of the penetration must be less than 1.3. Without halving the piece, the bound would be 2.
 #[test]
 fn the_depth_on_a_piece_is_found_by_halving() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -203,8 +205,9 @@ fn the_depth_on_a_piece_is_found_by_halving() {
     }
 }
 
-/// The clearance t² above the surface u = 0 has a double zero in the middle of the piece. The search ends at the rounding
-/// error of the clearance, after at most two times 30 halvings.
+/// The clearance t² above the surface u = 0 has a double zero in the middle of the piece. The search for the largest
+/// penetration must end as soon as its bound is below the rounding error of the clearance. Two searches together may
+/// use at most 120 halvings.
 #[test]
 fn a_double_zero_of_the_clearance_needs_few_halvings() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

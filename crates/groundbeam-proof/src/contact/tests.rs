@@ -16,9 +16,9 @@ use crate::size::Size;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// Checks the length L from `balanced_inside`, measured inward from an end of the piece. L times the smallest
-/// value of the pressure minus its error bound on this length must be at least `missing`. If the pressure is
-/// nearly constant, L must be the shortest such length.
+/// Checks the length L from `balanced_inside`, measured inward from an end of the piece. Let p be the smallest
+/// pressure on this length, reduced by the error bound of the pressure. Then the force Lp must be at least `missing`.
+/// If the pressure is nearly constant, L must be the shortest such length.
 #[test]
 fn the_length_inside_an_edge_balances_the_missing_force() {
     let mut random = numbers();
@@ -61,9 +61,9 @@ fn the_length_inside_an_edge_balances_the_missing_force() {
     assert!(found > 500, "{found}");
 }
 
-/// The pressure p is 1 at one end of the piece and decreases linearly to 0 in the middle of the piece. Checks the
-/// length next to this end on which the pressure balances a small force. It is approximately the force divided by
-/// p = 1.
+/// The pressure decreases linearly from 1 at one end of the piece to 0 in the middle of the piece. Checks the length,
+/// measured from the end with the pressure 1, on which the pressure has a given small resultant. The length must be
+/// nearly equal to the resultant, because the pressure is nearly 1 on this length.
 #[test]
 fn the_length_inside_an_edge_uses_the_pressure_near_the_edge() {
     for (side, sign) in [(0, -1.0), (1, 1.0)] {
@@ -109,9 +109,10 @@ fn is(what: &str, found: Size, exact: f64) {
 }
 
 /// The contact region extends from node 2 to node 3, with the pressure 1. At each end, the force μu′ in the shear
-/// layer has the error bound 0.2 outside the region and 0.05 inside. With a concentrated contact force a at the
-/// end, the exact edge lies at most 0.25 − a inside the region. There, μu′ jumps by at most 0.2 − a, without the
-/// effect of the slope error. A negative bound counts as zero.
+/// layer has the error bound 0.2 outside the region and 0.05 inside. So a concentrated contact force F at the end has
+/// the error bound 0.25. If the exact end lies inside the claimed region, its distance from the claimed end must be
+/// at most 0.25 − F. The jump of μu′ at the exact end, without the error 0.05, must be at most 0.2 − F. A negative
+/// bound counts as zero.
 #[test]
 fn an_edge_moves_inward_by_the_missing_force() {
     with_region(|fields| {
@@ -125,10 +126,9 @@ fn an_edge_moves_inward_by_the_missing_force() {
                 fields.surface.nodes[node].jump = Wide::of(jump);
                 let contact = Contact { fields, bounds: &bounds };
                 let found = contact.edge(node, side, &beside);
-                // If the concentrated contact force a is 0.05, less than its error bound 0.25, the pressure 1
-                // must supply the difference 0.2. The search covers at most one unit of the local coordinate t,
-                // which is 0.15 long. On this length, the pressure supplies only 0.15, so the edge has no
-                // bound.
+                // The concentrated contact force 0.05 is less than its error bound 0.25, so the pressure 1 must
+                // balance the difference 0.2. The search for the exact end covers a length of 0.15, on which the
+                // pressure balances only 0.15. So the search finds no bound.
                 let Ok(found) = found else {
                     assert_eq!(jump, 0.05);
                     continue;
@@ -146,8 +146,9 @@ fn an_edge_moves_inward_by_the_missing_force() {
     });
 }
 
-/// The contact region has the length 0.25. The exact solution is in contact somewhere in the region if the exact
-/// edges are proven to lie at most `left` and `right` inside it, and `left` + `right` is less than 0.25.
+/// The contact region has the length 0.25. The exact left end is proven to lie at most `left` to the right of the
+/// claimed left end, and the exact right end at most `right` to the left of the claimed right end. If `left` +
+/// `right` is less than 0.25, the exact solution is in contact somewhere in the region.
 #[test]
 fn a_region_is_longer_than_the_bounds_of_its_edges() {
     with_region(|fields| {
@@ -171,9 +172,9 @@ fn a_region_is_longer_than_the_bounds_of_its_edges() {
     });
 }
 
-/// The interval of a concentrated contact force a with the error bound ε_a is a ± ε_a, without negative values. If
-/// contact is not proven, the interval extends down to zero. The exact force is proven to be positive only if the
-/// lower end of the interval is positive.
+/// A concentrated contact force F with the error bound ε lies in the interval F ± ε, without negative values. If
+/// contact is not proven, the interval begins at zero. The exact force is proven to be positive only if the lower end
+/// of the interval is positive.
 #[test]
 fn a_concentrated_force_is_positive_only_if_proven() {
     with_region(|fields| {
@@ -196,9 +197,9 @@ fn a_concentrated_force_is_positive_only_if_proven() {
     });
 }
 
-/// The flux of the open ground beside the beam is √(kμ) = 1 times its settlement, so its error is that of the settlement of
-/// the piece at this end. A node inside the layer has the error of the flux on both sides, and one beside Winkler ground on
-/// the side of the layer only.
+/// At an end of the beam, the force μu′ in the shear layer outside the beam is √(kμ) = 1 times the settlement u, so
+/// both have the same error bound. Under the beam, the error bound of μu′ is μ = 1 times that of the slope. On
+/// Winkler ground, μu′ is zero and has no error.
 #[test]
 fn the_error_of_the_flux_beside_the_beam_is_that_of_the_settlement_at_its_end() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\

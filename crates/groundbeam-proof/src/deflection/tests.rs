@@ -1,4 +1,4 @@
-//! Tests of the admissible deflection: supports, jumps, and bounds of the correction in closed form.
+//! Tests of the corrected deflection: supports, jumps between pieces, and closed-form bounds of the correction.
 
 #![cfg(test)]
 
@@ -61,8 +61,8 @@ fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
             clamp(3) + &hinge(1),
             clamp(5) + &pinned(2),
         ];
-        // If the beam is stiff, its pieces are shorter than the characteristic length (4EI/k)^¼. Then the
-        // correction is linear, except on the longest piece between two rigid supports.
+        // If the beam is stiff, its pieces are shorter than the characteristic length (4EI/k)^¼. Then the correction
+        // of the claimed deflection is linear on all pieces except the longest piece between two rigid supports.
         let bending = if case % 2 == 0 { 1000.0 } else { 1e-3 };
         let text = format!(
             "[beam]\nlength = 5\nEI = {bending}\n[foundation]\nk = 1\n{}",
@@ -103,8 +103,8 @@ fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
             if node.clamped {
                 near(if i < 5 { slope(i, 0) } else { slope(4, 1) }, Wide::of(0.0));
             }
-            // The claimed deflection and rotation from which the spring forces at a node follow are those of an
-            // adjacent piece.
+            // The spring forces at a node follow from the claimed deflection and rotation at an end of an adjacent
+            // piece. This end must lie at the node.
             let [piece, side] = found.felt[i];
             assert!(piece + side == i && piece < 5);
         }
@@ -134,10 +134,10 @@ fn near(what: &str, a: Wide, b: Wide) {
     assert!((a - b).size() < 1e-12, "{what}: {a:?} {b:?}");
 }
 
-/// The characteristic length (4EI/k)^¼ is 2.21, and two pieces have different claimed deflections. Checks that
-/// shorter pieces get a linear correction and longer pieces a cubic correction. The deflection at the common
-/// node must be that of the piece with the linear correction, or that of the shorter piece if both corrections
-/// are cubic.
+/// Two adjacent pieces have different claimed deflections. Checks that a piece shorter than the characteristic length
+/// (4EI/k)^¼ = 2.21 gets a linear correction of its deflection, and a longer piece a cubic correction. The corrected
+/// deflection at the common node must be the claimed deflection of the piece with the linear correction. If both
+/// corrections are cubic, it must be the claimed deflection of the shorter piece.
 #[test]
 fn the_claim_of_the_shorter_of_two_long_pieces_is_kept() {
     for ([left, right], bends, kept) in [
@@ -172,10 +172,9 @@ fn the_longest_piece_between_rigid_supports_bends() {
     }
 }
 
-/// Checks the rotation of the corrected beam at a rigid support. It is the claimed rotation of the adjacent
-/// piece with a linear correction. If both adjacent pieces have linear corrections, it is the claimed rotation
-/// of the right piece. In the last example of this test, the right piece has a cubic correction, because it is
-/// the only piece between two supports.
+/// Checks the corrected rotation at a rigid support. It must be the claimed rotation of the adjacent piece whose
+/// correction is linear, or of the right piece if the corrections of both adjacent pieces are linear. In the last
+/// example of this test, the right piece has a cubic correction, because it is the only piece between two supports.
 #[test]
 fn the_rotation_at_a_support_is_that_of_a_short_piece() {
     let pin = |at: f64| format!("[[support]]\nat = {at:?}\ntype = 'pinned'\n");
@@ -194,8 +193,8 @@ fn the_rotation_at_a_support_is_that_of_a_short_piece() {
     }
 }
 
-/// Checks which piece provides the deflection for the spring forces at a node: the adjacent piece with the
-/// smaller coefficients of w.
+/// Checks that the spring forces at a node follow from the claimed deflection of the adjacent piece with the smaller
+/// sum of the absolute values of its coefficients.
 #[test]
 fn springs_feel_the_piece_with_the_smaller_coefficients() {
     for (deflections, felt) in [([1.0, 3.0], [0, 1]), ([3.0, 1.0], [1, 0]), ([1.0, 1.0], [0, 1])] {
@@ -204,7 +203,8 @@ fn springs_feel_the_piece_with_the_smaller_coefficients() {
     }
 }
 
-/// The correction of a piece bends if the piece is at least as long as (4EI/k)^¼.
+/// The correction of the claimed deflection is a cubic on a piece that is at least as long as (4EI/k)^¼, and linear
+/// on a shorter piece.
 #[test]
 fn a_piece_bends_from_one_wave_length_on() {
     for bending in [4.5, 6.0, 7.5, 30.0, 0.01] {

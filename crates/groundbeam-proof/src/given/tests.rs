@@ -20,7 +20,8 @@ fn answer(count: u32) -> Answer {
     Answer { pieces: (0..count).map(piece).collect(), ..Answer::default() }
 }
 
-/// Checks that μ and S jump at the ends of segments, and not inside a segment in which they vary.
+/// Checks that the stiffness μ of the shear layer and the shear stiffness S of the beam jump at the ends of segments,
+/// and not inside a segment in which they vary.
 #[test]
 fn a_node_is_a_step_where_a_coefficient_jumps() {
     for (segments, steps) in [

@@ -16,8 +16,9 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::kink;
 
-/// Checks the bound of the energy K² (section 4 of docs/proof.md) of the test function z = t(1 − t/h)². Springs
-/// lie where z and z′ are largest.
+/// Checks the bound of the energy K² (section 4 of docs/proof.md) of the test function z = t(1 − t/h)². Here h is the
+/// length on which z is not zero, and t is the distance from one end of this length. Springs lie where z and z′ are
+/// largest.
 #[test]
 fn the_energy_of_test_functions_is_bounded() {
     let mut random = numbers();
@@ -57,7 +58,8 @@ fn the_energy_of_linear_test_functions_is_bounded() {
         let support =
             Support { at: Ball::of(0.4), kind, settlement: Ball::zero(), acts: Acts::Both };
         model.supports = vec![support];
-        // These loads cause the constant deflection w = 1.
+        // The following loads cause the constant deflection w = 1. The ground beyond each end of the beam reacts with
+        // the force √(kμ).
         let outside = (k * mu).sqrt();
         model.loads = vec![
             load([0.0, 1.5], [k; 2]),
@@ -162,8 +164,8 @@ fn the_moment_of_redistributed_loads_is_bounded() {
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
-        // The load is `part`/2 times the claimed pressure. A relative correction of the pressure must balance
-        // the difference between load and pressure.
+        // The load is `part`·(a + b(x − 0.35)), and the claimed pressure is 2(a + b(x − 0.35)). A relative change of
+        // the pressure restores equilibrium.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);

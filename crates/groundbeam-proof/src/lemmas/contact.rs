@@ -1,4 +1,4 @@
-//! Checks at which nodes the slope of the clearance between beam and ground is proven not to decrease from left to right.
+//! Tests the proof that the slope of the clearance between beam and ground does not decrease from left to right at a node.
 
 #![cfg(test)]
 
@@ -7,9 +7,9 @@ use crate::given_claim::with_fields;
 use crate::pointwise::PieceBounds;
 use serde_json::json;
 
-/// Returns the result of `Contact::bends_open` for the node at x = 1: whether the slope of the clearance is proven
-/// not to decrease there from left to right. `gap` contains the initial gap g₀ at x = 0, 1 and 2, and `added`
-/// contains additional tables of the model file.
+/// Returns the result of `Contact::bends_open` for the node at x = 1: whether the slope of the clearance between beam
+/// and ground just right of the node is proven to be at least as large as just left of it. `gap` contains the initial
+/// gap g₀ at x = 0, 1 and 2. `added` contains additional tables of the model file.
 fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
     let corner = |(at, value): (usize, &f64)| format!("[[gap]]\nat = {at}\nvalue = {value}\n");

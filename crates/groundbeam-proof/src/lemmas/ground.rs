@@ -31,15 +31,17 @@ fn of_t(c: &[f64], middle: f64, half: f64) -> Vec<f64> {
     sum
 }
 
-/// Returns an upper bound of the stiffness of the ground at the far end of a stretch, from the stiffness at its near end,
-/// by linear finite elements.
+/// Returns an upper bound of the stiffness of the ground at one end of a stretch, computed with linear finite
+/// elements. `stiffness` is the stiffness of the ground beyond the other end. Each stiffness is a force per unit of
+/// settlement.
 fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     let h = length / COUNT as f64;
     let [own, across] = [k * h / 3.0 + mu / h, k * h / 6.0 - mu / h];
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// Returns a lower bound of the flexibility g(x, x) of ground out of contact at a node, by linear finite elements.
+/// Returns a lower bound of the flexibility of ground out of contact, computed with linear finite elements. The
+/// flexibility is the settlement of a node under a unit force at this node.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();
@@ -47,8 +49,9 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// Checks (4a) of docs/proof.md: a residual force r on ground out of contact has the energy r²g, with the flexibility g of
-/// the ground at the force. A node that is held at the height w above the ground needs the tensile force r = w/g.
+/// Checks (4a) of docs/proof.md: a residual force r on ground out of contact has the energy r²g, where g is the
+/// flexibility of the ground at the force. The claimed solution raises the ground surface by w at one node. This
+/// takes the tensile force r = w/g, which is the residual force.
 #[test]
 fn the_energy_of_a_residual_force_is_bounded() {
     let mut random = numbers();
@@ -97,8 +100,9 @@ fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> 
     sum / (2.0 * (k * mu).sqrt())
 }
 
-/// Checks for random polynomials p that the tensile part max(−p, 0) has at most the energy η²ω/k and the resultant
-/// ηω. Here −p is at most η, and p < 0 on the length ω.
+/// Checks bounds of the tensile part max(−p, 0) of random polynomial pressures p. Let p ≥ −η, and let ω be the total
+/// length on which p < 0. Then the tensile part has at most the resultant ηω. In ground with the subgrade modulus k,
+/// it causes at most the energy η²ω/k.
 #[test]
 fn the_energy_of_tensile_pressures_is_bounded() {
     let mut random = numbers();
@@ -160,10 +164,12 @@ fn the_energy_of_a_surface_under_tension_is_bounded() {
     }
 }
 
-/// Checks (10) of docs/proof.md on random open stretches that the beam penetrates. A stretch lies between a contact and an
-/// end of the beam, or between two contacts. Let v be a surface that is zero at the contacts and c at the distance y from
-/// one of them. The energy of v is at least c²(√(kμ) coth(by) + S), where b = √(k/μ) and S is the stiffness of the ground
-/// beyond this point.
+/// Checks the bound (10) of docs/proof.md on random stretches that are claimed to be out of contact although the beam
+/// penetrates the ground. A stretch lies between a contact and an end of the beam, or between two contacts.
+///
+/// (10) bounds the energy of the surface correction that removes the penetration. If the correction is zero at the
+/// contacts and c at the distance y from one of them, its energy is at least c²(√(kμ) coth(by) + S). Here b = √(k/μ),
+/// and S is the stiffness of the ground on the other side of the point at the distance y.
 #[test]
 fn the_energy_of_the_raised_ground_is_bounded() {
     let mut random = numbers();
@@ -177,8 +183,8 @@ fn the_energy_of_the_raised_ground_is_bounded() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // On the stretch out of contact, the deflection of the beam is a linear function plus a second function. The
-        // second function and its slope are zero at each end of the stretch where the beam is in contact.
+        // On the stretch out of contact, the deflection of the beam is a straight line plus a polynomial. The
+        // polynomial and its slope are zero at every end of the stretch that adjoins a contact.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {

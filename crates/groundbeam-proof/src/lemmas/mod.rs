@@ -20,8 +20,8 @@ const COUNT: usize = 2000;
 /// Length, k and μ of a stretch of ground.
 type Stretch = [f64; 3];
 
-/// Returns a beam with the bending stiffness `bending` on infinite ground. The ground under the beam consists of
-/// the stretches `ground`.
+/// Returns a beam with the bending stiffness `bending`. The ground under the beam consists of the stretches `ground`,
+/// and it extends to infinity beyond both ends of the beam.
 fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     let mut to = 0.0;
     let segment = |[length, k, mu]: &Stretch| {

@@ -10,8 +10,8 @@ use crate::scalar::Scalar;
 use crate::wide::Wide;
 use std::f64::consts::PI;
 
-/// Returns a beam with the length 1, EI = 1, the given supports and, optionally, a hinge in the middle. The
-/// supports must lie at quarters of the length.
+/// Returns a beam of length 1 with EI = 1 and the given supports, which must be at the ends or quarter points.
+/// `shear` is the shear stiffness of the beam, and `hinge` is the rotational stiffness of a hinge at midspan.
 fn beam(
     supports: &[(f64, SupportKind<f64>)],
     shear: Option<f64>,
@@ -105,7 +105,8 @@ fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
 fn lower_bounds_of_critical_loads_are_sharp() {
     use SupportKind::{Fixed, Pinned};
     let spring = |spring, rotational_spring| SupportKind::Spring { spring, rotational_spring };
-    // `tangent` and `held` are the smallest roots z of tan z = z and of z tan z = 2. The critical load is P = z².
+    // `tangent` is the smallest positive root z of tan z = z, and `held` is that of z tan z = 2. The squares of these
+    // roots are critical loads, because the beams have EI = 1 and length 1.
     let tangent: f64 = 4.493_409_457_909_064;
     let held: f64 = 1.076_873_986_311_804;
     for (supports, hinge, critical) in [
@@ -114,16 +115,16 @@ fn lower_bounds_of_critical_loads_are_sharp() {
         (vec![(0.0, Fixed), (1.0, Fixed)], None, 4.0 * PI * PI),
         (vec![(0.0, Fixed)], None, 0.25 * PI * PI),
         (vec![(0.0, Pinned), (0.5, Pinned), (1.0, Pinned)], None, 4.0 * PI * PI),
-        // A spring of the stiffness 16π²EI/l³ at the middle acts as a rigid support.
+        // For the buckling of a pinned column of length l, a spring with the stiffness 16π²EI/l³ at midspan is as
+        // effective as a rigid support.
         (
             vec![(0.0, Pinned), (0.5, spring(16.0 * PI * PI, 0.0)), (1.0, Pinned)],
             None,
             4.0 * PI * PI,
         ),
-        // For a column with a free end and a rotational spring k_θ at its other end, the critical load z²
-        // satisfies z tan z = k_θ.
+        // A column with EI = 1 and length 1 has one free end. At its other end, it has a lateral support and a
+        // rotational spring with the stiffness k_θ. Its critical load z² satisfies z tan z = k_θ.
         (vec![(0.0, Pinned), (0.0, spring(0.0, 2.0))], None, held * held),
-        // By symmetry, half of the column has a rotational spring of the stiffness 2k_φ at the hinge.
         (vec![(0.0, Pinned), (1.0, Pinned)], Some(1.0), 4.0 * held_by_hinge()),
     ] {
         let model = beam(&supports, None, hinge);
@@ -148,9 +149,9 @@ fn the_critical_load_of_a_cantilever_decreases_with_the_square_of_its_length() {
     }
 }
 
-/// Returns a quarter of the critical load of a pinned column with an elastic hinge k_φ = 1 in its middle. Each
-/// half of the column has the length ½ and a rotational spring 2k_φ at the hinge. So the critical load is (z/½)²
-/// with z tan z = 2k_φ·½ = 1.
+/// Returns a quarter of the critical load of a pinned column with EI = 1, length 1 and an elastic hinge at midspan.
+/// The hinge has the rotational stiffness k_φ = 1. By symmetry, each half is a column of length ½ with a rotational
+/// spring at the hinge, whose stiffness is 2k_φ. So the critical load is (z/½)², where z tan z = 2k_φ·½ = 1.
 fn held_by_hinge() -> f64 {
     let z: f64 = 0.860_333_589_019_379_8;
     z * z

@@ -8,7 +8,8 @@ use crate::given_claim::with_fields;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// The pressures of the three pieces are 1, 2 and 3. Near an edge at an end of the beam there is no neighbouring piece.
+/// The beam consists of three pieces with the contact pressures 1, 2 and 3. A contact edge at an end of the beam
+/// adjoins only one piece.
 #[test]
 fn a_pressure_at_an_edge_is_compared_with_both_pieces_that_exist() {
     let text = "[beam]\nlength = 3\nEI = 1\n[foundation]\nk = 1\nmu = 0\n";

@@ -34,7 +34,10 @@ pub(crate) fn read<S: Scalar>(
     let mut layers = ground.segments.iter().flat_map(|s| super::course::values(&s.shear));
     let shears = is_layer(&ground.shear) || layers.any(is_layer);
     if let (Some(mu), false) = (mu, shears) {
-        return wrong(mu.at, "the band has factors on `mu`, but the ground has no shear layer");
+        return wrong(
+            mu.at,
+            "`[foundation.band]` has factors for `mu`, but the ground has no shear layer",
+        );
     }
     let [k, mu] = [factors(fields, k, "k")?, factors(fields, mu, "mu")?];
     let changes = [&k, &mu].map(|steps: &[Step<S>; 3]| (steps[0].1, steps[2].1) != (1.0, 1.0));
@@ -56,7 +59,7 @@ pub(crate) fn read<S: Scalar>(
     Ok(grounds.into_iter().map(|(_, factored)| factored).collect())
 }
 
-/// The low, the best and the high factor on k or on μ.
+/// Returns the factors on k or on μ for the low value, the best estimate and the high value.
 fn factors<S: Scalar>(
     fields: &mut Fields,
     node: Option<&Node>,
@@ -80,7 +83,7 @@ fn factors<S: Scalar>(
 
 fn step<S: Scalar>(fields: &mut Fields, node: &Node, key: &str) -> Read<Step<S>> {
     let Quantity { value, exact, .. } = fields.one::<S>(node, key, NUMBER)?;
-    // The nearest double, which is printed in the name of the variant.
+    // The double nearest to the exact factor is printed in the name of the ground variant.
     Ok((value, exact.value::<f64>().unwrap_or(f64::NAN)))
 }
 

@@ -48,14 +48,15 @@ pub(crate) struct Stretch<S> {
     pub of: Option<Along<S>>,
 }
 
-/// The depth of the cross section on a stretch of the beam, as an exact decimal with its unit and in the number type of
-/// the proof; `None` if the depth is not constant on the stretch.
+/// The depth of the cross section on a stretch of the beam, in two forms: as an exact decimal with its unit, and as a
+/// number of the type that the proof uses. The depth is `None` if it is not constant on the stretch.
 pub(crate) struct Depth<S> {
     pub ends: [S; 2],
     pub of: Option<(Exact, S)>,
 }
 
-/// Bending data of a table: EI or its factors, the cross section and the material.
+/// Bending data of a table: EI, or its factors E and I. Also the cross section and the material, if the table has
+/// them.
 struct Bending<S> {
     given: Given<S>,
     shape: Option<Shape<S>>,
@@ -224,7 +225,8 @@ fn gives_stiffness(section: Section) -> bool {
     section.table.get("EI").is_some() || section.table.get("I").is_some()
 }
 
-/// Reads the bending data of a table: EI or its factors, the cross section and the material.
+/// Reads the bending data of a table: EI, or its factors E and I. The table can give a material in place of E, and a
+/// cross section in place of I.
 fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>> {
     section.exclusive("I", "section")?;
     section.exclusive("E", "material")?;

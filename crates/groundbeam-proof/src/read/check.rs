@@ -44,7 +44,7 @@ fn meet<S: Scalar>(places: &[S]) -> bool {
     places.windows(2).any(|pair| is_same(pair[0], pair[1]))
 }
 
-/// The positions of a sorted list next to x, on the left and on the right.
+/// Returns the nearest position left of x, and the nearest position at or right of x, in a sorted list of positions.
 fn beside<S: Scalar>(places: &[S], x: S) -> [Option<S>; 2] {
     let i = places.partition_point(|place| place.middle() < x.middle());
     [i.checked_sub(1).and_then(|i| places.get(i)).copied(), places.get(i).copied()]
@@ -100,8 +100,8 @@ fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// Checks the loads on the ground. They must not lie beyond the ends of the ground, and k and μ must be constant along
-/// each segment. Point forces under the beam also need a shear layer.
+/// Checks that the loads on the ground do not lie beyond the ends of the ground. If there are such loads, k and μ
+/// must be constant along each ground segment. A point force on the ground under the beam must act on a shear layer.
 fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     let ground = &model.ground;
     if !model.loads.iter().any(|load| load.on_ground) {
@@ -133,8 +133,8 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// The positions of the shear layer: the ends of each segment of the ground, from left to right, and whether the
-/// segment has a shear layer.
+/// Shear layers of the ground. `segments` contains, for each ground segment from left to right, its two ends and
+/// whether it has a shear layer. `elsewhere` is true if the ground outside all segments has a shear layer.
 struct Layers<S> {
     segments: Vec<([S; 2], bool)>,
     elsewhere: bool,

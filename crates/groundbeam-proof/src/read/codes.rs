@@ -23,19 +23,22 @@ pub(crate) struct Action {
     pub is_permanent: bool,
 }
 
-/// A set of combinations: its names and its expressions.
+/// A set of combinations: the names by which a model file refers to the set, and the expressions that define its
+/// combinations.
 pub(crate) struct Set {
     pub names: &'static [&'static str],
     pub formulas: &'static [Formula],
 }
 
-/// Actions that may be present, each with its factor. At most one action of a list is present at a time.
+/// Alternative actions in an expression for combinations of actions, each with its factor. A combination contains at
+/// most one of these alternatives.
 pub(crate) type Term = &'static [(&'static str, Micro)];
 
 /// The index of a combination factor ψ; `None` for the factor 1.
 pub(crate) type Psi = Option<usize>;
 
-/// An expression of a code of practice: the actions and factors of its combinations.
+/// An expression of a code of practice for combinations of actions, such as (6.10) of EN 1990: the actions in it and
+/// their factors.
 pub(crate) struct Formula {
     pub label: &'static str,
     /// Actions that always act, each with the factors to be tried. These factors replace the partial factors of
@@ -62,12 +65,13 @@ pub(crate) const fn m(thousandths: Micro) -> Micro {
     thousandths * 1000
 }
 
-/// An action without factors γ and ψ. Its factors are given in the expressions.
+/// An action without the factors γ and ψ. Each expression that contains the action gives its factors.
 pub(crate) const fn other(name: &'static str) -> Action {
     Action { name, psi: None, gammas: &[], is_permanent: false }
 }
 
-/// The empty expression: it has no actions, and all its factors are 1. Other expressions are defined as changes of it.
+/// The empty expression: it has no actions, and all its factors are 1. Every other expression is defined by its
+/// differences from this one.
 pub(crate) const PLAIN: Formula = Formula {
     label: "",
     always: &[],

@@ -132,7 +132,7 @@ fn recipes(root: Section, names: &[&str], has_caseless: bool, most: usize) -> Re
                 return wrong(node.at, format!("the factor of `{case}` must be a number"));
             };
             if !known.contains(case) {
-                return wrong(at, format!("no load belongs to a case `{case}`"));
+                return wrong(at, format!("no load belongs to the load case `{case}`"));
             }
             written.insert(case.to_owned(), factor.clone());
         }

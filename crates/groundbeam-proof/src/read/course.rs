@@ -1,4 +1,4 @@
-//! Quantities along a stretch: sums, products and parts of polynomials in Bernstein's basis.
+//! Sums, products and restrictions of quantities along a stretch, which are polynomials in the Bernstein basis.
 
 use crate::{Course, Scalar};
 
@@ -17,7 +17,7 @@ fn of<S: Scalar>(values: Vec<S>) -> Course<S> {
     }
 }
 
-/// Whether it is constant.
+/// Whether a quantity is constant along its stretch.
 pub(crate) fn is_constant<S>(course: &Course<S>) -> bool {
     matches!(course, Course::Constant(_))
 }
@@ -28,7 +28,7 @@ pub(crate) fn ends<S: Scalar>(course: &Course<S>) -> [S; 2] {
     [values.first(), values.last()].map(|value| value.copied().unwrap_or(S::zero()))
 }
 
-/// The product.
+/// The product of two quantities on the same stretch.
 pub(crate) fn times<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     let (a, b) = (values(a), values(b));
     let (m, n) = (a.len() - 1, b.len() - 1);
@@ -45,7 +45,7 @@ pub(crate) fn times<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     of(product)
 }
 
-/// The sum.
+/// The sum of two quantities on the same stretch.
 pub(crate) fn plus<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     let degree = values(a).len().max(values(b).len()) - 1;
     let raised = |course: &Course<S>| {
@@ -61,7 +61,8 @@ pub(crate) fn scaled<S: Scalar>(course: &Course<S>, factor: S) -> Course<S> {
     of(values(course).iter().map(|value| *value * factor).collect())
 }
 
-/// The part of a quantity between two fractions of its stretch, from 0 at the left end to 1 at the right end.
+/// Restricts a quantity to a part of its stretch. The part begins and ends at the given fractions of the length of the
+/// stretch: 0 is the left end of the stretch, and 1 the right end.
 pub(crate) fn between<S: Scalar>(course: &Course<S>, [from, to]: [S; 2]) -> Course<S> {
     let given = values(course);
     let degree = given.len() - 1;
@@ -80,7 +81,7 @@ pub(crate) fn between<S: Scalar>(course: &Course<S>, [from, to]: [S; 2]) -> Cour
     of((0..given.len()).map(part).collect())
 }
 
-/// The binomial coefficient n over k. It is exact for the degrees that occur.
+/// The binomial coefficient "n choose k". It is exact for the polynomial degrees that occur here.
 fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
 }

@@ -26,11 +26,11 @@ pub enum Reason {
     Unknown(String),
     /// A required key that is missing.
     Missing(&'static str),
-    /// Two keys that exclude each other.
+    /// Two keys that cannot be given together.
     Together(&'static str, &'static str),
     /// A value that the key does not allow.
     Value(String),
-    /// A number of the model that is outside the range of the computation.
+    /// A number of the model that is too small or too large for the computation.
     OutOfRange(String),
     /// A key or a method that this reader does not support: modified Vlasov soil, a trough or a survey of the gap, or a
     /// train.
@@ -48,7 +48,7 @@ impl fmt::Display for ReadError {
             Reason::Twice(key) => write!(f, "`{key}` is given twice"),
             Reason::Unknown(key) => write!(f, "`{key}` is not a key of this table"),
             Reason::Missing(key) => write!(f, "`{key}` is missing"),
-            Reason::Together(a, b) => write!(f, "`{a}` and `{b}` exclude each other"),
+            Reason::Together(a, b) => write!(f, "`{a}` and `{b}` cannot be given together"),
             Reason::Value(what) | Reason::OutOfRange(what) => f.write_str(what),
             Reason::NotRead(key) => {
                 write!(f, "the independent second reader of model files does not support `{key}`")
@@ -77,12 +77,12 @@ pub(crate) fn fault<T>(at: usize, reason: Reason) -> Read<T> {
     Err(Fault { at, reason })
 }
 
-/// Returns the fault of a value that its key does not allow.
+/// Returns the error for a value that its key does not allow.
 pub(crate) fn wrong<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::Value(what.into()))
 }
 
-/// Returns the fault of a number outside the range of the computation.
+/// Returns the error for a number that is too small or too large for the computation.
 pub(crate) fn out_of_range<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::OutOfRange(what.into()))
 }
@@ -124,7 +124,7 @@ mod tests {
             (Reason::Twice("a".into()), "`a` is given twice"),
             (Reason::Unknown("a".into()), "`a` is not a key of this table"),
             (Reason::Missing("a"), "`a` is missing"),
-            (Reason::Together("a", "b"), "`a` and `b` exclude each other"),
+            (Reason::Together("a", "b"), "`a` and `b` cannot be given together"),
             (Reason::Value("a is wrong".into()), "a is wrong"),
             (Reason::OutOfRange("a is large".into()), "a is large"),
             (

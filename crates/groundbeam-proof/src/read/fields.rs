@@ -85,8 +85,8 @@ pub(crate) enum Values {
     Curve(usize),
 }
 
-/// A quantity along a stretch: its values, its exact value if the file gives a single one, and its position in the
-/// file.
+/// A quantity along a stretch, as a polynomial. If the file gives a constant, `exact` is this constant without rounding
+/// error. `at` is the position in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Along<S> {
     pub course: Course<S>,
@@ -149,7 +149,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// Refuses two keys that exclude each other.
+    /// Refuses a table that contains both the key `a` and the key `b`.
     pub fn exclusive(&self, a: &'static str, b: &'static str) -> Read<()> {
         match (self.table.place(a), self.table.place(b)) {
             (Some(_), Some(at)) => fault(at, Reason::Together(a, b)),
@@ -237,7 +237,7 @@ impl Fields {
             return Ok([value; 2]);
         };
         let [start, end] = &list[..] else {
-            return wrong(node.at, format!("`{key}` must have one value, or two"));
+            return wrong(node.at, format!("`{key}` must have one or two values"));
         };
         Ok([self.one(start, key, kind)?.value, self.one(end, key, kind)?.value])
     }
@@ -260,7 +260,8 @@ impl Fields {
         Ok(Quantity { value, exact, at })
     }
 
-    /// Records whether a quantity has a unit. Refuses a file in which only a part of the quantities has units.
+    /// Records whether a quantity has a unit. Refuses a file in which some quantities have units and other nonzero
+    /// quantities have none.
     pub fn note(&mut self, at: usize, has_unit: bool) -> Read<()> {
         if *self.has_units.get_or_insert(has_unit) != has_unit {
             return wrong(at, "either every nonzero quantity of a file must have a unit, or none");
@@ -292,7 +293,8 @@ fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> 
     Ok((Exact::new(number, unit.factor), true))
 }
 
-/// Converts a value to a scalar. Checks the range that `kind` requires and the range of the computation.
+/// Converts a value to a scalar. Checks that the value has the sign that `kind` requires, and that a nonzero value has
+/// a magnitude between 1e-60 and 1e60.
 fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> {
     let value = exact.value::<S>().filter(|value| exact.is_zero() || is_within_reach(*value));
     let Some(value) = value else {

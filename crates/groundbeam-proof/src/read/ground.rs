@@ -118,7 +118,8 @@ fn given<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Given<S>> {
     Ok(Given { whole, factors: [modulus, width] })
 }
 
-/// Reads μ, or computes μ as C2 times the width.
+/// Reads the stiffness μ of the shear layer, or computes it as the product of `C2`, the stiffness per unit width, and
+/// the width of the beam.
 fn shear<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -187,8 +188,8 @@ impl<S: Scalar> Whole<S> {
             // Outside the beam, a quantity that varies along the beam keeps its value at the beam's end.
             (spring, shear) = (even(spring, table.at)?, even(shear, table.at)?);
         } else if self.varies() {
-            // If k or μ of `[foundation]` varies along the beam, the segment is cut at the beam's ends. A segment whose
-            // own k or μ varies must then not extend beyond the beam.
+            // If k or μ of `[foundation]` varies along the beam, a segment that extends beyond the beam is cut at the
+            // end of the beam. This cut is not allowed for a segment that itself gives a varying k or μ.
             let before = is_left(from, S::zero());
             let behind = is_left(length, to);
             if (before || behind) && own_varies {
@@ -219,8 +220,8 @@ impl<S: Scalar> Whole<S> {
         shear(fields, table, of_area.or(inherited).as_ref(), width.as_ref())
     }
 
-    /// If k or μ of the whole beam varies, adds segments with the varying k and μ between the given
-    /// segments.
+    /// If `[foundation]` gives a varying k or μ for the whole beam, adds ground segments with this k and μ on all parts
+    /// of the beam that no given segment covers.
     fn add_where_it_varies(
         &self,
         spring: &Along<S>,

@@ -44,14 +44,14 @@ pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     Ok(number)
 }
 
-/// Removes each single `_` between two digits. Returns `None` if the text has any other character than digits and
-/// such underscores.
+/// Removes the underscores from the digits of a number, such as `1_000`. Returns `None` unless each underscore stands
+/// between two digits and all other characters are digits.
 fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
     let bytes = text.as_bytes();
     let digit_at = |i: usize| bytes.get(i).is_some_and(|b| is_digit(*b));
     let right = |i: usize| match bytes[i] {
-        // A digit must follow an underscore. The character before the underscore needs no check: it is a digit or
-        // another underscore, and the other underscore is refused because no digit follows it.
+        // An underscore must not be the first character, and a digit must follow it. This also refuses two underscores
+        // in a row.
         b'_' => i > 0 && digit_at(i + 1),
         byte => is_digit(byte),
     };

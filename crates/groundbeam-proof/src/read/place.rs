@@ -1,4 +1,4 @@
-//! Positions: their order, stretches of the beam, and the parts between stretches.
+//! Compares positions, reads stretches of the beam, and finds the parts of the beam that no stretch covers.
 
 use super::error::{Read, wrong};
 use super::fields::{Fields, POSITION, Quantity, Section};

@@ -8,12 +8,12 @@ use super::fields::{AREA, Along, Fields, LENGTH, Quantity, SECOND_MOMENT, Sectio
 use super::shapes::{Measures, Shape, by, corners, filled, i_shape, less, rectangle, tube};
 use crate::{Course, Scalar};
 
-/// Rolled I-sections: name, and height, width, web thickness, flange thickness and fillet radius in mm.
+/// Rolled I-sections. Columns: name, height, width, web thickness, flange thickness and fillet radius in mm.
 const ROLLED: &str = include_str!("../../../groundbeam-file/sections/rolled.tsv");
-/// American W-sections: name; depth, width, web thickness and flange thickness in inches; area in in² and second
-/// moment in in⁴.
+/// American W-sections. Columns: name, depth, width, web thickness and flange thickness in inches, area in in², second
+/// moment of area in in⁴.
 const AMERICAN: &str = include_str!("../../../groundbeam-file/sections/w.tsv");
-/// Hollow sections: name, and diameter or height, width (empty for a tube) and wall thickness in mm.
+/// Hollow sections. Columns: name, height (diameter of a tube), width (empty for a tube) and wall thickness in mm.
 const HOLLOW: &str = include_str!("../../../groundbeam-file/sections/hollow.tsv");
 
 /// Rolled rails: name, area and second moment of area about the horizontal axis. 60E1, 60E2 and 54E1 are from EN

@@ -1,4 +1,4 @@
-//! Combines the load cases of a file by a set of combinations of a code of practice.
+//! Combines the load cases of a file according to the rules of a code of practice.
 //!
 //! Superposition is not valid with lift-off. So every subset of the variable cases is combined with every leading
 //! action and every factor of the permanent cases.
@@ -51,7 +51,7 @@ pub(crate) fn expand(
             action.ok_or("a load case has an action that this code of practice does not define")?;
         if set.formulas.iter().any(|formula| lacks(action, formula)) {
             return Err(format!(
-                "the code of practice gives no partial factor of `{}` for this set of combinations",
+                "the code of practice gives no partial factor for the action `{}` in this set of combinations",
                 action.name
             ));
         }
@@ -128,9 +128,9 @@ fn decimal(factor: Micro) -> String {
 /// The terms of an expression. Each term lists its possible actions with their factors.
 type Lists = [Vec<(&'static str, Micro)>];
 
-/// Returns one list of terms for each possible leading action of an expression, and one list without a leading action.
-/// A combination contains at most one action of each term. The flag of a list is true if every combination must contain
-/// an action of the list's first term.
+/// Returns lists of terms of an expression: one list for each action that can lead, and one list for combinations
+/// without a leading action. Each term consists of alternative actions, of which a combination contains at most one.
+/// The flag beside a list is true if every combination must contain an action of the first term in the list.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [Action],
@@ -167,7 +167,8 @@ struct Expansion<'a> {
     most: usize,
     made: Vec<(&'static str, Vec<(usize, Micro)>)>,
     chosen: Vec<(usize, Micro)>,
-    /// The source of each permanent case, and the index of its factor in the list of factors.
+    /// For each permanent load case: the source of its load, such as "own weight", and the index of the partial factor
+    /// in use.
     rows: Vec<(Option<&'a str>, usize)>,
 }
 
@@ -205,8 +206,8 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Extends the combination by the remaining `terms`. For each action in the first of these terms, adds load cases of
-    /// this action and continues with the other terms. Unless `must_act` is true, also continues without any action of
+    /// Completes the combination with actions from `terms` in all possible ways. Each term lists alternative actions,
+    /// of which a combination contains at most one. If `must_act` is true, the combination must contain an action of
     /// the first term.
     fn variable(
         &mut self,

@@ -20,7 +20,8 @@ pub(crate) struct Shape<S> {
 }
 
 impl<S: Scalar> Shape<S> {
-    /// The cross section on a part of its stretch.
+    /// Restricts the cross section to a part of the stretch of the beam to which it applies. The part begins and ends
+    /// at the fractions `way` of the length of the stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         Shape {
             area: self.area.between(way),
@@ -129,10 +130,10 @@ pub(crate) fn filled<S: Scalar>(
     Ok([plus(&area, &corners), plus(&second_moment, &bent), shear])
 }
 
-/// Area and second moment of the fillets of radius r in four corners, which lie at the distance H from the axis. A
-/// fillet is a square minus a quarter of a disc, on the side of the corner that faces the axis. A fillet has the
-/// area (1 − π/4) r². Its first and second moments about the face at the distance H are (5/6 − π/4) r³ and (1 −
-/// 5π/16) r⁴.
+/// Total area of four corner fillets of radius r, and their total second moment about the middle axis of the section.
+/// Each fillet is a square of side r minus a quarter disc. One side of the square lies on a face at the distance H from
+/// the axis, and the square extends from this face towards the axis. A fillet has the area (1 − π/4) r². Its first and
+/// second moments about the face are (5/6 − π/4) r³ and (1 − 5π/16) r⁴.
 pub(crate) fn corners<S: Scalar>(
     face: &Course<S>,
     radius: &Course<S>,

@@ -33,9 +33,9 @@ impl<S: Scalar> Shear<S> {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// Reads the shear stiffness of a table or its factors, and Poisson's ratio. `modulus` contains two values of
-    /// Young's modulus on the stretch of the table: that of the table itself, and that of the whole beam. `shape` is
-    /// the cross section that the table gives.
+    /// Reads from a table the shear stiffness of the beam, or its factors G and shear area, and Poisson's ratio.
+    /// `modulus` contains Young's modulus as this table gives it, and as the table of the whole beam gives it. `shape`
+    /// is the cross section that this table gives.
     pub fn read(
         fields: &mut Fields,
         section: Section,
@@ -75,7 +75,8 @@ impl<S: Scalar> Shear<S> {
         Ok(Shear { given, poisson, says_area })
     }
 
-    /// Computes the shear stiffness of a table; `None` if the table has no shear deformation of its own.
+    /// Computes the shear stiffness of the beam from the keys of a table; `None` if the table has no keys for shear
+    /// deformation. A missing factor of the stiffness is taken from `parent`.
     pub fn settle(&self, section: Section, parent: &Shear<S>) -> Read<Option<Along<S>>> {
         let mut given = self.given.clone();
         if given.whole.is_some() && !self.says_area {
@@ -84,7 +85,7 @@ impl<S: Scalar> Shear<S> {
         let says_modulus = given.factors[0].is_some();
         match given.resolve(&parent.given, NAMES)? {
             Found::Nothing => Ok(None),
-            // A section alone does not add shear deformation.
+            // If neither G nor a shear area is given, a cross section does not add shear deformation.
             Found::Half(_) if !self.says_area && !says_modulus => Ok(None),
             found => found.known(section, "shear_stiffness").map(Some),
         }

@@ -102,8 +102,8 @@ struct Layer<S> {
     thickness: S,
 }
 
-/// Computes k and μ of layers on rock from the parameter γ of Vlasov's method. γ = Σ h√(rG/E₀) over the layers of
-/// thickness h determines the parameter r of [`least_energy`].
+/// Computes k and μ of soil layers on rock by Vlasov's method from its parameter γ. The parameter r of [`least_energy`]
+/// is (γ/Σ h√(G/E₀))², with the thickness h, the shear modulus G and the constrained modulus E₀ of each layer.
 fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 2]> {
     table.only(&[LAYERS], &[])?;
     if table.table.get("layer").is_none() {

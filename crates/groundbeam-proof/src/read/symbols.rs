@@ -38,8 +38,8 @@ const fn other(
     Symbol { names, dimension, ten, powers, takes_prefix: false }
 }
 
-/// Factor of a pound-force divided by the power n = `power` of a unit of length, as in lbf/ft². `length` is the factor
-/// of this unit.
+/// Returns the conversion factor of a unit lbf/Lⁿ, such as lbf/ft², with n = `power`. `length` is the conversion factor
+/// of the unit of length L.
 const fn per(length: Powers, power: i32) -> Powers {
     [-power * length[0], -power * length[1], 0, 1, 0, 0, 0, 0]
 }

@@ -82,7 +82,7 @@ impl<'t> Scanner<'t> {
         if self.peek().is_none() || self.take("\n") || self.take("\r\n") {
             return Ok(());
         }
-        self.syntax("each line must have one key = value")
+        self.syntax("a line must contain only one `key = value` or one heading")
     }
 
     /// A key, bare or in quotes.

@@ -49,7 +49,7 @@ enum Origin {
     Implied,
     /// The table has its own heading, such as `[name]`.
     Heading,
-    /// A dotted key creates the table, such as `name.key = 1`.
+    /// The table is created by a dotted key, such as `name.key = 1`.
     Dotted,
     /// The table is written in braces, such as `name = { key = 1 }`. No key may be added to it.
     Inline,
@@ -214,7 +214,7 @@ impl Reader<'_> {
         if self.values > self.most { fault(at, Reason::TooLarge) } else { Ok(()) }
     }
 
-    /// Reads the names of a heading or of a dotted key, which are separated by points.
+    /// Reads the names of a heading or of a dotted key. The names are separated by dots.
     fn names(&mut self) -> Read<Vec<Name>> {
         let mut names = Vec::new();
         loop {
@@ -391,7 +391,8 @@ mod tests {
         assert_eq!(read(&dotted).unwrap_err().reason, Reason::TooLarge);
     }
 
-    /// The text has 26 bytes. It counts five values: a heading, a list with two numbers, and a number.
+    /// The text has 26 bytes. Five values are counted: the heading, the list, the two numbers in the list, and the
+    /// number 3.
     #[test]
     fn bytes_and_values_are_limited() {
         let text = "[a]\nb = [1, 2]\nc = 3 # end";

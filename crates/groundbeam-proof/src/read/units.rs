@@ -37,8 +37,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads a product of factors that are separated by spaces, multiplication signs or `/`. After a `/`, only
-    /// divisors may follow.
+    /// Reads a product of factors that are separated by spaces, multiplication signs or `/`. After the first `/`, a `/`
+    /// must precede every further factor.
     fn product(&mut self, depth: usize) -> Option<Unit> {
         let mut unit = self.first(depth)?;
         let mut divided = false;
@@ -110,8 +110,8 @@ impl Reader<'_> {
         if let Some(unit) = in_words {
             return Unit::ONE.times(unit, power);
         }
-        // A word such as `kNm` is a force and a length; a power applies to the length. The symbol `k` for kip must
-        // stand alone.
+        // A word such as `kNm` is the product of a unit of force and a unit of length, and an exponent applies to the
+        // length only. The symbol `k` for kip must not be the first part of such a word.
         word.char_indices().skip(1).find_map(|(i, _)| {
             let (force, length) = word.split_at_checked(i).filter(|(force, _)| *force != "k")?;
             let (force, length) = (symbol(force)?, symbol(length)?);

@@ -30,8 +30,9 @@ fn the_axial_force_stiffens_a_beam_with_shear_deformation() {
     }
 }
 
-/// `size_beside` bounds |a + bt| within a distance of one end of a piece. If the distance is at least half the length
-/// of the piece, it bounds |a + bt| on the whole piece.
+/// `size_beside` bounds the absolute value |a + bt| of a linear function on the part of a piece within a given distance
+/// of one end, where t is the coordinate on the piece. If the distance is at least half the length of the piece, the
+/// bound holds on the whole piece.
 #[test]
 fn a_line_is_bounded_within_a_distance_of_an_end() {
     let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";
@@ -53,8 +54,8 @@ fn a_line_is_bounded_within_a_distance_of_an_end() {
                 }
             }
         }
-        // This linear function is zero at the end of the piece. So its bound near the end also shows the rounding error
-        // of the position.
+        // The linear function `line` is zero at the end of the piece. Its bound near this end is so small that the
+        // rounding error of the position would show in it.
         let distance = 1e-10;
         for (side, b) in [(0, 1.0), (1, -1.0)] {
             let line = Polynomial::from_coefficients([1.0, b].map(Wide::of));
@@ -77,9 +78,9 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
         );
         let piece =
             json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [1, 0, -0.25]});
-        // The ground on both sides of the piece is not loaded, so u′ = 2u at the left end of the piece and u′ = −2u at
-        // its right end. The difference v = u − q/k is the sum of an even and an odd function of the distance y from
-        // the middle.
+        // Beyond both ends of the piece, the ground is not loaded, and its settlement u decays at the rate √(k/μ). This
+        // rate is 2, so u′ = 2u at the left end of the piece and u′ = −2u at its right end. On the piece, v = u − q/k
+        // is the sum of an even and an odd function of the distance y from the middle.
         let tangent = 1.0_f64.tanh();
         let even = -0.25 / (1.0 + tangent);
         let odd = -0.25 * rise / (1.0 + 1.0 / tangent);
@@ -103,13 +104,12 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
     }
 }
 
-/// The beam w = 2 − x, or its mirror image, is in contact on one half with the pressure p = 2 − x, and out of contact
-/// on the other half. ε_p is the error bound of p, and η the largest tensile pressure. γ is the relative change of p
-/// that balances the residual forces. On the half in contact, the bound of the pressure error is ε_p + γp + (1 + γ)η.
-/// On the open half, the bound is zero with a shear layer, and ε_p on Winkler ground. The exact edge of contact may lie
-/// in the open half, up to the distance θ from the claimed edge, or in the half in contact, up to the distance θ′. This
-/// adds the force error θ(p_o + ε_p) to the open half, with the bound p_o of `open_pressure_beside`, and θ′(1 + γ)p to
-/// the half in contact.
+/// The claimed deflection is w = 2 − x, or its mirror image. One half of the beam is in contact with the pressure
+/// p = 2 − x, and the other half is out of contact. Let ε_p be the error bound of p, η a bound of tensile pressures, and γ
+/// the relative change of p that balances the residual forces. On the half in contact, the bound of the pressure error
+/// is ε_p + γp + (1 + γ)η. On the other half, it is zero with a shear layer, and ε_p on Winkler ground. The exact edge
+/// may lie up to the distance θ outside the claimed contact, or up to the distance θ′ inside. The bound of the force
+/// error is then θ(p_o + ε_p) outside, with the bound p_o of `open_pressure_beside`, and θ′(1 + γ)p inside.
 #[test]
 fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {
     for (mirrored, layer) in [(false, "mu = 1\n"), (true, "mu = 1\n"), (false, "")] {

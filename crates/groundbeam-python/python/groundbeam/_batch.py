@@ -116,7 +116,7 @@ class Batch(Mapping[str, Array]):
 
     @property
     def solved(self) -> npt.NDArray[np.bool_]:
-        """Whether each model has a result."""
+        """For each model, whether it has a result."""
         return np.asarray(self.status == "solved", dtype=np.bool_)
 
     def contact(self, number: int) -> list[tuple[float, float]]:

@@ -40,7 +40,8 @@ class Calibration(NamedTuple):
     residuals: dict[str, Array]
     """Measured values minus computed values, for each output."""
     noise: float
-    """Standard deviation of the residuals divided by the given noise; divided by 1 if no noise is given."""
+    """Standard deviation of the residuals after each residual is divided by its given noise. If no noise is given, the
+    residuals are not divided."""
     singular_values: Array
     """Inverse standard errors of linear combinations of the logarithms of the unknowns, the largest first."""
     directions: Array
@@ -101,7 +102,7 @@ class _Problem:
                     raise ValueError(f"measured `{name}`: {error}") from None
                 value = np.atleast_1d(np.asarray(given[1], dtype=np.float64)).ravel()
                 if at.shape != value.shape:
-                    raise ValueError(f"measured `{name}`: {at.size} positions and {value.size} values")
+                    raise ValueError(f"measured `{name}`: there are {at.size} positions but {value.size} values")
             else:
                 if isinstance(given, tuple):
                     raise ValueError(f"measured `{name}`: give one value")

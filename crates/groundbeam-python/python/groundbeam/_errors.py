@@ -15,9 +15,9 @@ class Diagnostic(NamedTuple):
     hint: str
     """The remedy; may be empty."""
     line: int
-    """Line of the model's text, from 1."""
+    """Line number in the model's text, counted from 1."""
     column: int
-    """Column in characters, from 1."""
+    """Column number in the line, counted in characters from 1."""
 
 
 class GroundbeamError(Exception):
@@ -82,7 +82,7 @@ class NoEquilibrium(GroundbeamError):
     """Static reactions [N]: forces of supports under both ends and under each free hinge between them, for a rigid
     beam on these supports only."""
     hinges: Tuple[float, ...]
-    """Values of the motion r at the hinges, where its slope may jump."""
+    """Displacement of each hinge in the motion r that proves that there is no equilibrium."""
 
     def __init__(
         self,

@@ -144,7 +144,7 @@ class Model:
         return self._with("train", train)
 
     def with_checks(self, checks: _parts.Checks) -> Model:
-        """The model with limits to check; it must not have limits already."""
+        """The model with the given limits to check. A model that already has limits is refused."""
         return self._joined({"checks": checks.table})
 
     def to_toml(self) -> str:

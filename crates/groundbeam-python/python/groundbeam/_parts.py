@@ -229,10 +229,12 @@ class GroundLoad(Part):
 
 
 class Trough(Part):
-    """A settlement trough of the ground, S exp(-(x - x0)^2/2i^2)."""
+    """A settlement trough: at x, the ground settles by S exp(-(x - x0)^2/(2 i^2)). S is the largest settlement, x0 its
+    position, and i the distance from x0 to the point of inflection."""
 
     def __init__(self, at: Quantity, settlement: Quantity, width: Quantity) -> None:
-        """Takes the position x0 of the middle, the largest settlement S, and the distance i to the point of inflection."""
+        """Takes the position of the middle of the trough, its largest settlement, and the distance from the middle to the
+        point of inflection."""
         super().__init__(at=at, settlement=settlement, width=width)
 
 

@@ -23,7 +23,7 @@ Positions = Union[Sequence[Position], npt.NDArray[np.floating], npt.NDArray[np.i
 """Several positions."""
 
 FIELDS = _native.FIELDS
-"""Names of all fields, in the order of results."""
+"""Names of all fields, in the order in which results list them."""
 
 
 class EndForces(NamedTuple):
@@ -41,7 +41,7 @@ class Force(NamedTuple):
 
 
 class Reaction(NamedTuple):
-    """Reaction of a support: an upward force [N], and a moment that turns the right side down [N m]."""
+    """Reaction of a support on the beam: a force [N], positive upward, and a moment [N m], positive clockwise."""
 
     at: float
     force: float
@@ -173,7 +173,7 @@ class Solution:
     def deflection(
         self, x: Union[Position, Positions], side: str = "right"
     ) -> Union[float, Array]:
-        """The beam's deflection w, down positive [m]."""
+        """The deflection w of the beam [m], positive downward."""
         return self._field("deflection", x, side)
 
     @overload
@@ -217,7 +217,7 @@ class Solution:
     def settlement(
         self, x: Union[Position, Positions], side: str = "right"
     ) -> Union[float, Array]:
-        """The settlement u of the ground's surface, down positive, also outside the beam [m]."""
+        """The settlement u of the ground surface [m], positive downward. ``x`` may lie outside the beam."""
         return self._field("settlement", x, side)
 
     @overload

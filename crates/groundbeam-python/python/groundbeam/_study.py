@@ -31,7 +31,7 @@ class Estimate(NamedTuple):
 
 
 class Spread(NamedTuple):
-    """Distribution of a column of the results over the samples with a value in this column."""
+    """Distribution of the values in a column of the results. Samples without a value in this column are left out."""
 
     mean: float
     deviation: float
@@ -56,7 +56,7 @@ class Summary:
     events: dict[str, Estimate]
     """Events by name; ``no equilibrium`` and ``some of the beam lifts off`` are always included."""
     spreads: dict[str, Spread]
-    """Distributions of the results by the names of their columns."""
+    """The distribution of each column of the results, keyed by the name of the column."""
 
     def __init__(self, document: dict[str, Any], picture: str) -> None:
         self._picture = picture
@@ -83,7 +83,7 @@ class Summary:
         }
 
     def to_svg(self) -> str:
-        """The picture: probabilities of events, and distributions of numbers."""
+        """The picture of the study: probabilities of events, and histograms of random numbers and results."""
         return self._picture
 
     def _repr_html_(self) -> str:
@@ -167,7 +167,7 @@ class Study:
         solves the third of eight equal parts, which :func:`merge` merges; then there is no summary yet.
         """
         if not 1 <= shard[0] <= shard[1]:
-            raise ValueError("shard: give (i, n) with i from 1 to n")
+            raise ValueError("shard must be (i, n) for part i of n equal parts, with i from 1 to n")
         bar = _Bar() if progress is True else progress or None
         self._inner.run(out, shard, restart, number_of(threads), bar)
         return self.summary(out) if shard[1] == 1 else None

@@ -26,7 +26,7 @@ def write(tables: Tables) -> str:
 
 
 def _table(name: str, table: Tables, heading: str) -> str:
-    """A table, followed by its subtables that are lists or have their own heading."""
+    """The text of a table: its heading, its keys, and then its lists of tables, with a heading for each table."""
     below = {key: value for key, value in table.items() if _is_several(value)}
     text = f"\n{heading}\n"
     text += "".join(_line(key, value) for key, value in table.items() if key not in below)

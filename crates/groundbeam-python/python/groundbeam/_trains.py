@@ -44,7 +44,7 @@ class Passage:
     without_equilibrium: list[Tuple[float, float]]
     """Ranges of the first axle's position without equilibrium [m]."""
     not_converged: list[float]
-    """Positions of the first axle without a certified result [m]."""
+    """Positions of the first axle at which no result could be certified [m]."""
 
     def __init__(self, inner: _native.Answers, number: int) -> None:
         self._inner, self._number = inner, number
@@ -55,11 +55,11 @@ class Passage:
 
     @property
     def positions(self) -> Array:
-        """Solved positions of the first axle, from left to right [m]."""
+        """Positions of the first axle that have a solution, from left to right [m]."""
         return self._inner.positions(self._number)
 
     def nearest(self, first_axle: float) -> Tuple[float, Solution]:
-        """The solved position nearest to a given position of the first axle, and the solution at this position."""
+        """The position of the first axle that has a solution and is nearest to ``first_axle``, and this solution."""
         if not math.isfinite(first_axle):
             raise ValueError(f"the position of the first axle is {first_axle}: give a finite number")
         found = self._inner.nearest(self._number, first_axle)
@@ -108,7 +108,7 @@ class Passages(Sequence[Passage]):
         refuse_outside(at, self._inner.length)
         found = self._inner.moving_envelope(field, at.ravel(), limit_state)
         if found is None:
-            raise ValueError("there is no envelope, because there is no solution for any position of a train")
+            raise ValueError("there is no envelope, because no position of any train has a solution")
         low, high = (
             MovingBound(values.reshape(at.shape), axle.reshape(at.shape), passage)
             for values, axle, passage in found

@@ -15,7 +15,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use run::{Answered, Task, run};
 
-/// Name of a parameter, the optional name of the class that gives the meaning of its rows, and the rows.
+/// A parameter: its name, the optional name of the Python class of its values, and its rows of values. The class, such
+/// as `Points`, states how the values of a row vary along the beam.
 type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
 
 /// Solves `count` models, or one model with `count` sets of parameters.
@@ -70,7 +71,7 @@ pub fn solve_many<'py>(
     columns(py, &task.wanted, rows)
 }
 
-/// Converts the rows of the models to columns of a dictionary.
+/// Converts the results, which are one row for each model, to a dictionary with one array for each column.
 fn columns<'py>(
     py: Python<'py>,
     wanted: &Wanted,

@@ -24,8 +24,8 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Reads a parameter with its values and checks it against the models. `shape` is the name of the Python
-    /// class of the values, which states how a row of values varies along the beam.
+    /// Reads a parameter with its values and checks it against the models. `shape` is the name of the Python class of
+    /// the values. The class states how the values of a row vary along the beam.
     pub fn read(
         name: &str,
         shape: Option<&str>,

@@ -1,4 +1,4 @@
-//! Solves the models of a batch: applies each row to its model, and converts the result to a row.
+//! Solves the models of a batch: sets the given parameter values in each model, and converts its result to a row of numbers.
 
 use super::parameter::{Parameter, apply};
 use crate::failure::{Tipping, remediable};
@@ -17,7 +17,7 @@ pub struct Task {
     pub options: Options,
 }
 
-/// Solves all models. The results have the order of the models.
+/// Solves all models. The results are in the order of the models.
 pub fn run(
     task: &Task,
     count: usize,

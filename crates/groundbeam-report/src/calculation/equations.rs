@@ -3,8 +3,8 @@
 use super::content::{Block, Equation};
 use super::formulas::{self, Formula};
 
-/// Equations of beam, ground and contact, numbered as in Kikuchi's paper. If `shears` is true, the beam has
-/// Timoshenko's equations.
+/// Equations of beam, ground and contact, numbered as in Kikuchi's paper. If `shears` is true, the beam
+/// equations are those of a Timoshenko beam.
 pub(super) fn problem(shears: bool) -> Block {
     let (beam, number, ends) = match shears {
         true => (formulas::SHEARING_BEAM, "", formulas::SHEARING_ENDS),

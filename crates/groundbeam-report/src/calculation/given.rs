@@ -51,8 +51,8 @@ fn unit_name(units: Units, kind: Kind, largest: f64) -> (crate::quantity::Unit, 
     (unit, unit.name)
 }
 
-/// Formats a profile as its constant value or as its values at both ends. A profile of a higher degree than
-/// linear is marked as curved.
+/// Formats a profile as its constant value or as its values at both ends. A profile of degree 2 or higher is
+/// marked as curved.
 fn profile(units: Units, kind: Kind, profile: &Profile) -> String {
     let unit = units.unit(kind, profile.largest());
     if profile.is_constant() {
@@ -171,9 +171,7 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
         columns.push(wording("case"));
     }
     let mut table = Table::new("Loads as written", columns);
-    table.note =
-        "Positive forces act downward. Positive moments turn the right side of the beam down."
-            .to_owned();
+    table.note = "Positive forces act downward. Positive moment loads act clockwise.".to_owned();
     for (i, load) in model.loads.iter().enumerate() {
         let [from, to] = load.extent().ends();
         let per = if is_moment_per_length(load, units) { " (moment per length)" } else { "" };

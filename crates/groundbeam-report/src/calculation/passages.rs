@@ -68,7 +68,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
 
 fn overall(passages: &Passages) -> Verdict {
     let count: usize = passages.all.iter().map(|passage| passage.solved().count()).sum();
-    let solved = format!("at each of the {count} solved train positions");
+    let solved = format!("at each of the {count} train positions for which the model was solved");
     let (tone, head, words) = match passages.overall() {
         Overall::NoEquilibrium => {
             ("bad", "No equilibrium", "at some positions of a train".to_owned())
@@ -81,7 +81,7 @@ fn overall(passages: &Passages) -> Verdict {
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// Returns the section on the solved train positions and the positions without equilibrium.
+/// Returns the section on the train positions with a solution and those without equilibrium.
 fn ways(all: &[Passage], context: &Context) -> Section {
     let blocks = facts(|sheet| {
         for (i, passage) in all.iter().enumerate() {
@@ -97,7 +97,8 @@ fn ways(all: &[Passage], context: &Context) -> Section {
 
 /// Returns the section with the extremes over all passages and the extremes for each limit state.
 fn envelope(passages: &Passages, units: Units) -> Section {
-    let caption = "Envelope over all train positions; each value with the position of the first axle that causes it";
+    let caption =
+        "Envelope over all train positions, with the position of the first axle for each value";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {

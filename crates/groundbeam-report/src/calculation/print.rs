@@ -95,7 +95,10 @@ mod tests {
     #[test]
     fn numbers_and_units_are_formatted_for_print() {
         assert_eq!(cell("-1.5e-13"), "−1.5·10⁻¹³");
-        assert_eq!(words("right to ± 7e-16 m everywhere"), "right to ± 7·10⁻¹⁶\u{a0}m everywhere");
+        assert_eq!(
+            words("accurate to ± 7e-16 m everywhere"),
+            "accurate to ± 7·10⁻¹⁶\u{a0}m everywhere"
+        );
         assert_eq!(words("mu = 9 MN, 65 kN m of"), "μ = 9\u{a0}MN, 65\u{a0}kN\u{a0}m of");
         for unit in units().chain(["kN m/rad"]) {
             let said = format!("of 12.5 {unit}, and");

@@ -103,8 +103,7 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     [Section::new("Origin of this report", blocks), Section::new("Input file", texts)]
 }
 
-/// Returns the model file and the tables that it names, each with a label, a name and its text. The result
-/// depends only on these texts.
+/// Returns the model file and the tables that it names, each with a label, its file name and its text.
 fn inputs<'a>(source: &Source<'a>) -> Vec<(&'static str, String, &'a str)> {
     let last = |name: &str| clean(name.rsplit(['/', '\\']).next().unwrap_or(name));
     let tables = source.files.iter().map(|file| ("Table", last(&file.name), file.text.as_str()));

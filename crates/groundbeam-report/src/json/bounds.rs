@@ -1,4 +1,4 @@
-//! For several combinations, writes the error bounds of the envelope, of extremes and their ranges over k and μ, and of checks.
+//! Writes error bounds for combinations: of the envelope, the extremes, the ranges of extremes over k and μ, and the checks.
 
 use super::ByName;
 use crate::checked::rows_of;
@@ -11,12 +11,12 @@ use groundbeam::Field;
 use groundbeam_run::Answers;
 use serde::Serialize;
 
-/// Error bounds in a document of combinations. A missing bound is written as `null`.
+/// Error bounds in the result document of several load combinations. A missing bound is written as `null`.
 #[derive(Serialize)]
 pub(super) struct Together {
     envelope: ByName<Ends<Vec<f64>>>,
     extremes: ByName<Ends<f64>>,
-    /// Error bounds of the largest force under each end of the beam.
+    /// For each end of the beam, error bound of the largest concentrated contact force among all combinations.
     end_forces: Forces,
     #[serde(skip_serializing_if = "Option::is_none")]
     band: Option<ByName<Ends<Spread>>>,
@@ -56,8 +56,8 @@ pub(super) struct JudgedCheck {
     value: f64,
     limit: f64,
     bound: Option<f64>,
-    /// Judgement of the check: `proven-to-pass`, `proven-to-fail` or `undecided`; without a bound, `passes`
-    /// or `fails`.
+    /// Verdict: `proven-to-pass`, `proven-to-fail` or `undecided` if the value has a finite error bound,
+    /// otherwise `passes` or `fails`.
     judgement: &'static str,
 }
 

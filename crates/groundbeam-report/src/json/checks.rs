@@ -49,7 +49,7 @@ impl Checked {
             Governing::Unsolved(_) => (None, Some("not solved".to_owned())),
             Governing::NoResultant(_) => (None, Some("no resultant".to_owned())),
             Governing::NoCombination(states) => {
-                (None, Some(format!("no combination of {}", states.names())))
+                (None, Some(format!("no combination has the limit state {}", states.names())))
             }
         };
         let name = verdict.by().map(|by| rows[by].name.to_string()).filter(|name| !name.is_empty());

@@ -11,7 +11,8 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Proven {
     verdict: &'static str,
-    /// Static reactions at the ends of the beam and at each free hinge between the ends.
+    /// Static reactions: the support forces of a chain of rigid beams that is supported only at its two ends
+    /// and at its free hinges.
     static_reactions: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failing_motion: Option<Motion>,

@@ -1,4 +1,4 @@
-//! Writes the solution as piecewise polynomials, which the proof reads.
+//! Writes the solution as piecewise polynomials, which are the input of the proof.
 
 use super::bounds::JudgedCheck;
 use super::{Along, ByName};

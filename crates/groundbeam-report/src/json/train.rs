@@ -39,7 +39,7 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
     })
 }
 
-/// The document of an existence check of trains: ranges of positions without equilibrium.
+/// Returns the document that states, for each train, the ranges of train positions without equilibrium.
 pub fn checked_trains(passages: &Passages, context: &Context) -> String {
     let status = match passages.overall() {
         Overall::NoEquilibrium => "no-equilibrium",
@@ -122,7 +122,7 @@ struct One<'a> {
     extremes: Option<ByName<Option<Extremes<Located>>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
-    /// Longest free span and free span with the largest gap; omitted if no position was solved.
+    /// Longest free span, and free span with the largest gap; omitted if no train position has a solution.
     #[serde(skip_serializing_if = "Option::is_none")]
     free_spans: Option<FreeSpans>,
 }
@@ -166,7 +166,7 @@ struct Train<'a> {
     /// Uniform loads of the train. An end at infinity is written as `null`.
     uniform: &'a [UniformPart],
     range: Stretch,
-    /// Number of solved positions.
+    /// Number of train positions with a solution.
     positions: usize,
     error: Error,
     without_equilibrium: Vec<Stretch>,
@@ -234,8 +234,8 @@ fn envelope_of_all(passages: &Passages, x: Vec<f64>) -> Along<Lines<f64>> {
     envelope(x, passages.fields(), |x| passages.at(x), true)
 }
 
-/// Returns the envelope at the positions `x`: the smallest and the largest value of each field, each with the
-/// position of the first axle that causes it.
+/// Returns the envelope at the positions `x`: the smallest and the largest value of each field. Each value is
+/// listed with the position of the first axle of the train.
 fn envelope(
     x: Vec<f64>,
     fields: impl Iterator<Item = Field>,

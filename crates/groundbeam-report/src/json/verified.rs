@@ -58,7 +58,7 @@ struct Of<'a> {
     /// the document.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     each: BTreeMap<&'static str, Vec<f64>>,
-    /// Intervals that contain the exact positions of each listed extreme, in the order of the fields.
+    /// For each listed extreme, the intervals that contain its exact positions.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     places: Vec<Place<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -18,7 +18,7 @@ pub(crate) struct Style {
     pub size: f64,
     pub bold: bool,
     pub(super) colour: Colour,
-    /// Whether the text has a pale rim, for readability across lines.
+    /// Whether the letters have a pale outline, so that text on top of drawn lines is readable.
     pub(super) rim: bool,
 }
 
@@ -139,7 +139,7 @@ enum Element {
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
     elements: Vec<Element>,
-    /// Coordinates y of the highest and the lowest point of the drawing.
+    /// The y coordinates of the highest and the lowest point of the drawing.
     reach: Option<[f64; 2]>,
 }
 
@@ -148,7 +148,7 @@ impl Canvas {
         Canvas::default()
     }
 
-    /// Coordinates y of the highest and the lowest point of the drawing.
+    /// The y coordinates of the highest and the lowest point of the drawing.
     pub fn reach(&self) -> [f64; 2] {
         self.reach.unwrap_or([0.0, 0.0])
     }

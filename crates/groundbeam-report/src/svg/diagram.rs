@@ -34,7 +34,8 @@ pub(super) struct Diagram<'a> {
     pub values: Vec<(f64, f64)>,
     /// Lower line of an envelope whose upper line is `values`; empty for a single line.
     pub lower: Vec<(f64, f64)>,
-    /// Points of the thin lines, which show the single solutions in an envelope, or a second field.
+    /// Points of the thin lines. The thin lines show either the individual solutions of an envelope or a second
+    /// field.
     pub thin: Vec<Vec<(f64, f64)>>,
     pub extremes: Vec<Extreme>,
     /// Point forces that push the beam up, with their labels.
@@ -205,7 +206,7 @@ impl Diagram<'_> {
         }
     }
 
-    /// Draws the arrows of point forces, which point up to the zero line.
+    /// Draws the concentrated forces as arrows. Each arrow is directed upward and ends at the zero line.
     fn arrows(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
         let largest = self.forces.iter().fold(0.0_f64, |most, force| most.max(force.1.abs()));
         let zero = scale.y(0.0);

@@ -43,8 +43,9 @@ pub(super) struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// Returns a frame that shows the ground beyond each end of the beam until its surface is almost level, over at
-    /// least 5 % and at most 15 % of the beam length. Objects outside the beam can increase this width to 60 %.
+    /// Returns the frame for a model. The ground is drawn beyond each end of the beam over 5 % to 15 % of the
+    /// beam length, depending on the decay length of the ground displacement. Objects outside the beam increase
+    /// the drawn length to at most 60 % of the beam length.
     pub fn of(model: &Model) -> Self {
         let length = model.beam.length;
         let reach = [0.0, length * (1.0 - f64::EPSILON)].map(|x| {
@@ -97,8 +98,8 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Returns the upper side of the beam from left to right, as positions and relative depths. The positions
-    /// include `nodes`.
+    /// Returns the upper side of the beam from left to right, as positions and drawn depths. The drawn depths
+    /// are relative to the drawn depth of a uniform beam. The positions include `nodes`.
     pub fn upper_side(&self, nodes: &[f64]) -> Vec<(f64, f64)> {
         let mut places = nodes.to_vec();
         for &Depth { from, to, depth } in self.depths {

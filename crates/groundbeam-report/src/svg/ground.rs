@@ -157,10 +157,11 @@ pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
 
 /// The label of a load.
 struct Word {
-    /// Point on the page beside which the label is placed. If the load lies outside the drawn ground, `is_here`
-    /// is false, and the first number is the position of the load in the model instead.
+    /// Point on the page beside which the label is placed. For a load outside the drawn ground, the first
+    /// number is the position of the load in the model, and the second number has no meaning.
     at: [f64; 2],
     words: String,
+    /// Whether the load lies within the drawn ground.
     is_here: bool,
 }
 

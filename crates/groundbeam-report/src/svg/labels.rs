@@ -76,7 +76,8 @@ pub(super) struct Labels<'m> {
 struct Columns<T> {
     left: f64,
     width: f64,
-    /// Objects that overlap each strip, each with the index of the leftmost strip that it overlaps.
+    /// For each strip, the objects that overlap the strip. Each object is stored with the index of the
+    /// leftmost strip that the object overlaps.
     strips: Vec<Vec<(usize, T)>>,
 }
 
@@ -88,7 +89,8 @@ impl<T: Copy> Columns<T> {
         Columns { left: page.left, width, strips: vec![Vec::new(); Self::COUNT] }
     }
 
-    /// Indices of the strips between two positions. The outermost strips extend beyond the page.
+    /// Returns the indices of the vertical strips between two horizontal positions on the page. The outermost
+    /// strips extend beyond the page.
     fn between(&self, left: f64, right: f64) -> RangeInclusive<usize> {
         let strip = |x: f64| (((x - self.left) / self.width) as usize).min(Self::COUNT - 1);
         strip(left)..=strip(right)
@@ -100,7 +102,8 @@ impl<T: Copy> Columns<T> {
         self.strips[strips].iter_mut().for_each(|strip| strip.push((first, thing)));
     }
 
-    /// Returns all objects that may lie between two positions. Each object is returned once.
+    /// Returns all objects that may lie between two horizontal positions on the page. Each object is returned
+    /// once.
     fn near(&self, left: f64, right: f64) -> impl Iterator<Item = &T> {
         let strips = self.between(left, right);
         let start = *strips.start();

@@ -71,7 +71,7 @@ pub(super) fn draw(
     canvas
 }
 
-/// Draws the ground with the initial gap. Returns the surface line of the ground and the coordinate y of its
+/// Draws the ground with the initial gap. Returns the surface line of the ground and the y coordinate of its
 /// lowest point.
 fn ground(
     canvas: &mut Canvas,

@@ -93,7 +93,7 @@ pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Sampl
     axis::round_down_to(exaggeration, &LEADS, false) * frame.scale()
 }
 
-/// Coordinate y of the ground's surface on the page, at a position x under the beam or outside the beam.
+/// The y coordinate of the ground's surface on the page, at a position x under the beam or outside the beam.
 pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
     let length = solution.model().beam.length;
     if (0.0..=length).contains(&x) {
@@ -108,7 +108,8 @@ pub(super) fn thickness(frame: &Frame, x: f64) -> f64 {
     THICKNESS * frame.depth(x, Side::Right)
 }
 
-/// Position u + g₀ of the ground's surface, measured downward from the beam's unloaded underside.
+/// Position of the ground's surface, measured downward from the underside of the unloaded beam. It is the sum
+/// of the ground displacement u and the initial gap g₀.
 fn surface(fields: &Fields) -> f64 {
     fields.deflection + fields.gap
 }
@@ -129,7 +130,7 @@ struct Picture<'a> {
     labels: Labels<'a>,
     /// Points of the ground's surface on the page, from left to right.
     surface: Vec<[f64; 2]>,
-    /// Coordinate y of the lowest point of the ground's surface on the page.
+    /// The y coordinate of the lowest point of the ground's surface on the page.
     floor: f64,
 }
 

@@ -135,7 +135,7 @@ mod tests {
         tipping(model, &existence, &Context::new(Units::PLAIN), 800.0)
     }
 
-    /// Coordinates y of the handles of all loads.
+    /// Returns the y coordinates of the drag handles of all loads.
     fn heights(view: &View) -> Vec<f64> {
         let loads = view.handles.iter().filter(|h| matches!(h.grip, Grip::Load(_)));
         loads.map(|handle| handle.place[1]).collect()

@@ -1,4 +1,4 @@
-//! Draws the passages of trains: the train where the moment is largest, and the envelopes over all positions.
+//! Draws the train at the position that causes the largest bending moment, and the envelopes over all train positions.
 
 use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
@@ -15,7 +15,7 @@ use groundbeam_run::{InPassage, Passages};
 /// Number of equal steps along the beam at which the envelopes are computed.
 const EVEN_STEPS: usize = 400;
 
-/// Draws the train at the position of the largest moment, and the envelopes of all passages.
+/// Draws the train at the position that causes the largest bending moment, and the envelopes over all passages.
 pub fn trains(passages: &Passages, context: &Context) -> Picture {
     let units = context.units;
     let title = context.clean_title();

@@ -35,8 +35,8 @@ mod tests {
         Beam, Foundation, Load, Method, Model, Options, Outcome, existence::Local, solve_with,
     };
 
-    /// Text of the certificate of Kikuchi's case IV. The mesh has only two elements, so the error exceeds the
-    /// rounding errors.
+    /// Returns the text of the certificate for Kikuchi's case IV. The beam has only two elements, so that the
+    /// discretization error is much larger than the rounding errors.
     fn written(verdict: Verdict) -> String {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_load(Load::point_force(0.5, 1.0))

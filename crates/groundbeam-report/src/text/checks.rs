@@ -44,8 +44,14 @@ pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (S
     let name = noun(verdict.what);
     let (mut words, tone) = match verdict.of {
         Governing::NoCombination(states) => {
-            let of = if context.selected { "selected combination is" } else { "combination" };
-            (format!("{name} not judged: no {of} of {}", states.names()), Tone::Doubtful)
+            let combination = if context.selected { "selected combination" } else { "combination" };
+            (
+                format!(
+                    "{name} not judged: no {combination} has the limit state {}",
+                    states.names()
+                ),
+                Tone::Doubtful,
+            )
         }
         Governing::Unsolved(_) => {
             (format!("{name} not judged: a combination is not solved"), Tone::Doubtful)
@@ -142,7 +148,7 @@ fn judged_in_words(
         Checked::LiftedShare => format!("{found} lifted off, {limit} allowed"),
         Checked::Eccentricity => format!("eccentricity {found}{}, {limit} allowed", place(None)),
         Checked::Overturning if check.found.is_infinite() => {
-            format!("no load overturns the beam; a factor of {limit} is required")
+            format!("no overturning load; the required safety factor is {limit}")
         }
         Checked::Overturning => {
             format!(

@@ -90,8 +90,8 @@ fn names(sheet: &mut Sheet, answers: &Answers) {
     }
 }
 
-/// Adds the governing quantities for the best estimates of k and μ, and their ranges over all solved values of
-/// k and μ.
+/// Adds the governing quantities: their values for the best estimates of k and μ, and their ranges over all
+/// pairs (k, μ) for which the model was solved.
 fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let Some(bands) = answers.bands() else { return };
     let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all grounds");
@@ -109,8 +109,8 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     sheet.blank();
 }
 
-/// Adds the governing quantities with error bounds: for the best estimates of k and μ, and as ranges over all
-/// solved values of k and μ.
+/// Adds the governing quantities with error bounds: their values for the best estimates of k and μ, and their
+/// ranges over all pairs (k, μ) for which the model was solved.
 pub(crate) fn bounded_band(
     sheet: &mut Sheet,
     answers: &Answers,
@@ -127,7 +127,7 @@ pub(crate) fn bounded_band(
         let best = with_bound(best, of_best, unit);
         let [low, high] = [(low, of_low), (high, of_high)].map(|(x, e)| with_bound(x, e, unit));
         let name = extreme_of(field, largest);
-        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu; {low} to {high} over all solved k and mu"));
+        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu; {low} to {high} over all pairs of k and mu for which the model was solved"));
     }
     sheet
         .row("", "the ranges cover only the k and mu for which the model was solved; nothing is proven for other values");
@@ -273,7 +273,8 @@ pub(crate) fn of_limit_states(
     }
 }
 
-/// Adds the extremes over all combinations, each with the number of its combination.
+/// Adds the smallest and the largest value of each field over all combinations, each with the number of the
+/// governing combination.
 fn envelope(
     sheet: &mut Sheet,
     heading: &str,
@@ -299,8 +300,9 @@ fn envelope(
     end_forces(sheet, solved, units);
 }
 
-/// Adds the extremes over all combinations, each with its error bound and the number of its combination. The
-/// position of an extreme has an error bound if the combination is proven to govern.
+/// Adds the smallest and the largest value of each field over all combinations, each with its error bound and
+/// the number of the governing combination. The position of an extreme has an error bound if the combination is
+/// proven to govern.
 pub(crate) fn bounded_envelope(
     sheet: &mut Sheet,
     envelope: &Envelope,

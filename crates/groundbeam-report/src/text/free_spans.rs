@@ -1,4 +1,4 @@
-//! Writes the lift-off zones of one solution, or the governing free spans of trains, as text.
+//! Writes the lift-off zones of one solution, or the governing free spans under moving trains, as text.
 
 use super::MOST_ROWS;
 use super::sheet::Sheet;

@@ -8,7 +8,8 @@ use groundbeam::Model;
 use groundbeam::soil::SoilRounds;
 use groundbeam_run::Ground;
 
-/// Adds rows with the method that computes the ground constants, their values per area, and warnings.
+/// Adds rows on the ground constants k and μ: the method of computation, the values of k and μ divided by the
+/// bearing width, and warnings.
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     let Some(ground) = context.ground else { return };
     let units = context.units;
@@ -18,7 +19,7 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         if let Some(SoilRounds { gamma: Some(gamma), rounds }) = ground.rounds {
             words += &format!(", γ = {}", units.ratio(gamma));
             if rounds > 1 {
-                words += &format!(", consistent with the solution after {rounds} iterations");
+                words += &format!(", computed from the solution in {rounds} iterations");
             }
         }
         sheet.row("Soil", &words);

@@ -173,8 +173,8 @@ fn title(sheet: &mut Sheet, context: &Context) {
     }
 }
 
-/// Adds rows on beam and ground. For several models, the rows contain ranges of values. All models have the
-/// same beam.
+/// Adds the rows that describe the beam and the ground. For several models, which must have the same beam, the
+/// rows give the range of each value.
 pub(crate) fn structure(
     sheet: &mut Sheet,
     models: &[&Model],

@@ -12,7 +12,7 @@ use crate::quantity::{Kind, Units};
 use groundbeam::{Field, Model};
 use groundbeam_run::{Ground, Overall, Passage, Passages};
 
-/// The report of passages. `colour` adds escape codes for a terminal.
+/// Returns the report on the passages of trains. `colour` adds escape codes for a terminal.
 pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -64,12 +64,13 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The models of all solved positions.
+/// Returns the models of all train positions with a solution.
 pub(crate) fn used_models<'a>(all: &'a [Passage<'a>]) -> Vec<&'a Model> {
     all.iter().flat_map(Passage::solved).map(|(_, solution)| solution.model()).collect()
 }
 
-/// The report of the existence checks along the paths of trains. `colour` adds escape codes for a terminal.
+/// Returns the report on whether an equilibrium exists at every position of each train. `colour` adds escape
+/// codes for a terminal.
 pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -137,7 +138,7 @@ fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
                 let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x));
                 let value = units.write(Kind::Deflection, gap.value);
                 format!(
-                    "{place} up to {value}, at {x} with the first axle at {at}, #{}",
+                    "{place} up to {value}, at {x} with the first axle at {at} in passage #{}",
                     number + 1
                 )
             }

@@ -162,7 +162,7 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str)
     }
 }
 
-/// Adds the error bound of each quantity, with the scale of the quantity.
+/// Adds the error bound of each quantity, and the reference value with which the error bound is compared.
 fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
     let written = |Bound { error, scale }: Bound, unit: Unit| {
         format!("± {}, scale {}", bound_in(unit, error), unit.with_digits(3).write(scale))
@@ -173,11 +173,12 @@ fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
     }
 }
 
-/// Adds a row with the energy of the error and the strain energy.
+/// Adds a row with the bound of the error energy and the strain energy.
 fn energy(sheet: &mut Sheet, found: &Verification, units: Units) {
     let (proof, unit) = (&found.proof, units.column(Kind::Moment));
     let strain = unit.with_digits(3).write(proof.strain_energy);
-    let words = format!("error at most {}, strain energy {strain}", bound_in(unit, proof.energy));
+    let words =
+        format!("error energy at most {}, strain energy {strain}", bound_in(unit, proof.energy));
     sheet.row("Energy", &words);
 }
 
@@ -216,7 +217,7 @@ fn bound_in(unit: Unit, error: f64) -> String {
     format!("{number} {}", unit.name).trim_end().to_owned()
 }
 
-/// Adds rows with the numbers of compared values, and with the keys that were not compared.
+/// Adds rows that state how many values were compared, and which keys of the document were not compared.
 fn checked(sheet: &mut Sheet, found: &Verification) {
     let checked = &found.checked;
     let count = |n: usize, one: &str, many: &str| match n {
@@ -237,7 +238,7 @@ fn checked(sheet: &mut Sheet, found: &Verification) {
         sheet.row(
             "",
             &format!(
-                "{what} at contact edges, each compared with zero and with the pressures beside its edge"
+                "{what} at contact edges, each compared with the range from zero to the largest pressure near the edge"
             ),
         );
     }

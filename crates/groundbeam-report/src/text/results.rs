@@ -42,7 +42,7 @@ pub(super) fn contact(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers)
     listed(sheet, "Undecided", &undecided, |zone| {
         let position = numbers.sizes().position(zone.from);
         format!(
-            "{}: contact is not determined within rounding errors",
+            "{}: rounding errors are too large to decide whether there is contact",
             between(numbers.units, position, zone.to)
         )
     });

@@ -15,10 +15,10 @@ pub(crate) enum Entry {
     Blank,
     /// A heading, which begins at the left edge of the page.
     Heading(String),
-    /// A line of a table, which is printed without line breaks.
+    /// A line of a table. The line is printed without wrapping.
     Line(String),
-    /// A labelled row. An empty label continues the previous row. The tone applies to the text before the
-    /// first colon.
+    /// A row with a label and a text. A row with an empty label continues the previous row. The text is printed
+    /// in the colour of `tone` up to its first colon.
     Row {
         label: String,
         words: String,
@@ -72,7 +72,7 @@ impl Sheet {
         self.entries.push(Entry::Heading(printable(words).into_owned()));
     }
 
-    /// Adds a line of a table, which is printed without line breaks.
+    /// Adds a line of a table. The line is printed without wrapping.
     pub fn line(&mut self, words: &str) {
         self.entries.push(Entry::Line(printable(words).into_owned()));
     }

@@ -1,4 +1,4 @@
-//! Writes the report of a study, with probabilities and their intervals, means and quantiles.
+//! Writes the report of a study, with probabilities and their confidence intervals, means and quantiles.
 
 use super::sheet::{Sheet, columns};
 use super::{certificate, title};

@@ -11,7 +11,8 @@ use groundbeam::Field;
 use groundbeam_file::{MovingTrain, Spread};
 use groundbeam_run::Passage;
 
-/// Maximum number of listed ranges of one kind. The report states how many ranges were omitted.
+/// Maximum number of listed ranges of train positions without equilibrium. The report states how many further
+/// ranges it omits.
 const MOST_RANGES: usize = 8;
 
 /// Adds the report of one passage. The rows on beam and ground precede this report.
@@ -83,7 +84,7 @@ pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
         1 => format!(": one axle of {force}"),
         count => {
             let length = given.position(train.length());
-            format!(": {count} axles, {force} together, over {length}")
+            format!(": {count} axles, {force} in total, over a length of {length}")
         }
     };
     for part in &train.uniform {
@@ -118,7 +119,7 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
     sheet.row("Positions", &words);
 }
 
-/// Adds rows with the ranges of positions without equilibrium.
+/// Adds rows with the ranges of train positions without equilibrium.
 pub(crate) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: Units) {
     for (i, [from, to]) in none.iter().take(MOST_RANGES).enumerate() {
         let [from, to] = [from, to].map(|x| units.position(*x));

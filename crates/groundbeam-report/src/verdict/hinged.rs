@@ -14,7 +14,7 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
         Verdict::Unique => {
             let held = if model.supports.is_empty() { "hinges" } else { "hinges and supports" };
             format!(
-                "the loads resist every motion that lifts part of the beam and that its {held} allow"
+                "the loads resist every motion that lifts a part of the beam and is allowed by its {held}"
             )
         }
         Verdict::NotUnique(motion)
@@ -27,13 +27,13 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
             )
         }
         Verdict::NotUnique(motion) => format!(
-            "a motion of the beam is free: {}, by an amount that is not determined, any \
-             equilibrium shown is one of many",
+            "the loads do not prevent a motion of the beam: {}; the amount of this motion is not \
+             determined, any equilibrium shown is one of many",
             moves(motion)
         ),
         Verdict::None(motion) if motion.work == 0.0 => format!(
-            "a motion of the beam is free: {}, and Winkler ground (mu = 0) cannot \
-             carry the rest on one point",
+            "the loads do not prevent a motion of the beam: {}; Winkler ground (mu = 0) cannot \
+             carry the rest of the beam on one point",
             moves(motion)
         ),
         Verdict::None(motion) => format!("the loads lift a part of the beam: {}", moves(motion)),
@@ -46,7 +46,7 @@ fn is_at_rest(motion: RigidMotion) -> bool {
     motion.lifted.is_some_and(|[from, to]| from < to) && motion.work == 0.0
 }
 
-/// Description of the motion, such as `the hinge at x = 4 lifts, the left end stays`.
+/// Description of the motion, such as `the hinge at x = 4 lifts off, the left end stays in place`.
 pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String {
     let l = model.beam.length;
     let [from, to] = motion.lifted.unwrap_or([0.0, l]);
@@ -64,25 +64,25 @@ pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String 
     };
     let lifted = if from == to { at(from) } else { format!("all from {} to {}", at(from), at(to)) };
     match (before, after) {
-        (None, None) => "it lifts as a whole".to_owned(),
+        (None, None) => "the beam lifts off as a whole".to_owned(),
         (Some(rest), None) | (None, Some(rest)) => {
-            format!("{lifted} lifts, {} stays", at(rest))
+            format!("{lifted} lifts off, {} stays in place", at(rest))
         }
         (Some(left), Some(right)) => {
-            format!("{lifted} lifts, {} and {} stay", at(left), at(right))
+            format!("{lifted} lifts off, {} and {} stay in place", at(left), at(right))
         }
     }
 }
 
-/// Short description of the motion, such as `the left end lifts`.
+/// Short description of the motion, such as `the left end lifts off`.
 pub(crate) fn falls(motion: RigidMotion, units: Units) -> String {
     match (motion.lifted, motion.left < 0.0, motion.right < 0.0) {
         (None, true, false) => "the beam tips about its right end".to_owned(),
         (None, false, true) => "the beam tips about its left end".to_owned(),
-        (Some(_), true, false) => "the left end lifts".to_owned(),
-        (Some(_), false, true) => "the right end lifts".to_owned(),
+        (Some(_), true, false) => "the left end lifts off".to_owned(),
+        (Some(_), false, true) => "the right end lifts off".to_owned(),
         (Some([x, _]), false, false) => {
-            format!("the hinge at x = {} lifts", units.position(x))
+            format!("the hinge at x = {} lifts off", units.position(x))
         }
         _ => "the beam lifts off as a whole".to_owned(),
     }
@@ -103,22 +103,22 @@ mod tests {
                 .with_load(Load::uniform_force(0.0, 6.0, 1.0))
         };
         let cases = [
-            (slab(), "lifts part of the beam and that its hinges allow", "", ""),
+            (slab(), "lifts a part of the beam and is allowed by its hinges", "", ""),
             (
                 slab().with_load(Load::point_force(6.0, -3.0)),
-                "lift a part of the beam: the right end lifts, the hinge at x = 4 stays",
-                "the right end lifts, the hinge at x = 4 stays; no part of the beam moves into the ground",
+                "lift a part of the beam: the right end lifts off, the hinge at x = 4 stays in place",
+                "the right end lifts off, the hinge at x = 4 stays in place; no part of the beam moves into the ground",
                 "of more than 2 at the right end",
             ),
             (
                 slab().with_load(Load::point_force(2.0, -3.0)),
-                "the hinge at x = 2 lifts, the left end and the hinge at x = 4 stay",
-                "the hinge at x = 2 lifts",
+                "the hinge at x = 2 lifts off, the left end and the hinge at x = 4 stay in place",
+                "the hinge at x = 2 lifts off",
                 " at x = 2",
             ),
             (
                 slab().with_load(Load::point_force(6.0, -1.0)),
-                "a motion of the beam is free: the right end lifts",
+                "the loads do not prevent a motion of the beam: the right end lifts off",
                 "",
                 "",
             ),

@@ -15,10 +15,11 @@ fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     }))
 }
 
-/// Smallest and largest values of all fields on the left and right sides of the stations.
+/// Envelope of the results over all train positions solved so far: the smallest and the largest value of each field on
+/// the left and on the right side of every examined position of the beam.
 pub(super) struct Table {
     bounds: Vec<[ByField<f64>; 2]>,
-    /// Smallest and largest values of all fields over the whole beam.
+    /// Smallest and largest value of each field over the whole beam.
     all: [ByField<f64>; 2],
 }
 
@@ -70,11 +71,11 @@ pub(super) fn passing<S: Borrow<Section>>(
     Some((at, beside_axle([left, right], axle, t)?))
 }
 
-/// Error of the envelope for each field in an interval between two positions of the train, relative to the scale
-/// of the field. The error is the amount by which the solution at the middle position lies outside the envelope of the
-/// positions solved before. The parabola through the values at both ends and the middle is compared with this
-/// envelope too. Beside an axle, the error is the difference between the solution and the values interpolated
-/// between both ends.
+/// Error of the envelope for each field in an interval between two positions of the train, relative to the largest
+/// absolute value of the field. The error is the amount by which the solution at the middle position lies outside
+/// the envelope of the positions solved before. The parabola through the values at both ends and the middle is
+/// compared with this envelope too. Beside an axle, the error is the difference between the solution and the values
+/// interpolated between both ends.
 pub(super) fn sticks_out(
     middle: &Position,
     ends: [&Position; 2],

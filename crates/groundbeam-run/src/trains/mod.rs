@@ -1,4 +1,4 @@
-//! Trains that move over a beam: chooses their positions, and computes the envelope over all positions.
+//! Chooses the positions of trains that move over a beam, and computes the envelope of the results over all positions.
 
 mod edges;
 mod free_spans;

@@ -50,7 +50,8 @@ impl Reach {
     }
 }
 
-/// Largest gaps under the beam during the passage. A gap is `None` if the beam does not lift off at that place.
+/// Largest gap between beam and ground during the passage of a train, in each of three regions: ahead of the first axle,
+/// between the axles, and behind the last axle. A gap is `None` if the beam does not lift off in its region.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
@@ -62,14 +63,15 @@ pub struct Uplift {
     pub behind: Option<Located>,
 }
 
-/// Result of moving a train over the beam, without the solutions at the single train positions.
+/// Result of moving a train over the beam, without the solutions at the individual positions of the train.
 #[derive(Debug, Clone)]
 pub(crate) struct Swept {
     pub combination: Arc<Combination>,
     pub train: Arc<MovingTrain>,
     /// Indices of the answers for this train's positions in the list of all answers.
     pub answers: Range<usize>,
-    /// Values for the envelope at each train position: the ranges of the fields, and the fields beside the axles.
+    /// Data for the envelope at each train position: the range of each field along the beam, and the values of the
+    /// fields immediately left and right of each axle.
     pub sections: Vec<Section>,
     pub reach: Reach,
     /// Ranges of first-axle positions at which the beam has no equilibrium.
@@ -152,13 +154,13 @@ impl<'a> Passage<'a> {
         axles.zip(self.answers.iter().map(|answer| &answer.found))
     }
 
-    /// Positions at which the method did not reach its tolerance.
+    /// Positions of the first axle at which the solution method did not converge.
     pub fn not_converged(&self) -> impl Iterator<Item = f64> {
         let failed = |(_, found): &(f64, &Found)| matches!(found, Found::NotConverged(_));
         self.each().filter(failed).map(|(first_axle, _)| first_axle)
     }
 
-    /// The solved positions with their solutions.
+    /// The positions of the first axle for which a solution exists, each paired with its solution.
     pub fn solved(&self) -> impl Iterator<Item = (f64, &'a Solution)> {
         self.each().filter_map(|(first_axle, found)| Some((first_axle, found.solution()?)))
     }
@@ -180,11 +182,12 @@ impl<'a> Passage<'a> {
         Field::of(&self.model().beam)
     }
 
-    /// The smallest and the largest value of every field at a section, in the order of [`Field::ALL`]; `None`
-    /// if no position was solved.
+    /// The smallest and the largest value of every field at the position `x` of the beam, in the order of
+    /// [`Field::ALL`]; `None` if no train position has a solution.
     ///
-    /// The values include all solved positions, and each axle as it passes the section. The fields beside a
-    /// passing axle are interpolated between the neighbouring solved positions.
+    /// The extremes are taken over all solved train positions, and over the train positions at which an axle passes
+    /// `x`. For a passing axle, the field values on its left and right side are interpolated between the
+    /// neighbouring solved train positions.
     pub fn at(&self, x: f64) -> Option<ByField<[Located; 2]>> {
         let mut bounds: Option<ByField<[Located; 2]>> = None;
         let mut note = |first_axle: f64, values: ByField<f64>| {
@@ -208,8 +211,8 @@ impl<'a> Passage<'a> {
         bounds
     }
 
-    /// The smallest and the largest value of a field on the whole beam over all solved positions; `None` if no
-    /// position was solved.
+    /// The smallest and the largest value of a field on the whole beam over all train positions; `None` if no train
+    /// position has a solution.
     pub fn range(&self, field: Field) -> Option<[Located; 2]> {
         let mut bounds: Option<[Located; 2]> = None;
         for section in &self.swept.sections {
@@ -222,7 +225,7 @@ impl<'a> Passage<'a> {
         bounds
     }
 
-    /// The solved position that is nearest to the given position of the first axle, with its solution.
+    /// The solved train position that is nearest to the given position of the first axle, with its solution.
     pub fn nearest(&self, first_axle: f64) -> Option<(f64, &'a Solution)> {
         let away = |at: f64| (at - first_axle).abs();
         self.solved().min_by(|a, b| away(a.0).total_cmp(&away(b.0)))
@@ -253,13 +256,13 @@ impl<'a> Passage<'a> {
         uplift
     }
 
-    /// Default sections of the beam for the envelope.
+    /// Default positions along the beam at which the envelope is evaluated.
     pub fn default_stations(&self) -> Vec<f64> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Sections of the beam for the envelope: the ends of `even` equal steps, the positions of corners and jumps of
-    /// the fields, and the positions of the extremes.
+    /// Positions along the beam at which the envelope is evaluated: the ends of `even` equal steps, the positions of
+    /// corners and jumps of the fields, and the positions of the extremes of the fields.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.model().beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();

@@ -1,4 +1,4 @@
-//! Chooses the initial positions of a train, and extracts the values at one position for the envelope.
+//! Chooses the initial positions of a train, and extracts the field values at one train position for the envelope.
 
 use crate::answer::Answer;
 use groundbeam::model::Train;
@@ -54,9 +54,9 @@ pub(crate) struct Under {
 }
 
 impl Under {
-    /// Computes the jumps due to an axle at x from the fields on both sides of the axle. The shear force jumps by
-    /// the whole axle load. With shear deformation the slope also jumps, and the ground may carry part of the
-    /// load.
+    /// Computes the jumps of the fields due to an axle at the position `x`. Without shear deformation, only the shear
+    /// force jumps, by the axle load. With shear deformation, the slope jumps too, and the shear force may jump by
+    /// less than the axle load, because the ground may carry a part of the axle load.
     pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
         let mut jump = [0.0; Field::ALL.len()];
         let own = force(train, axle);

@@ -30,9 +30,9 @@ const MOST: usize = 20_000;
 /// An interval between two neighbouring positions of the train.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// Error of the envelope for each field, relative to the scale of the field. The error is measured in the middle
-    /// of the bisected interval, of which this interval is one half. The error is infinite before the first
-    /// bisection.
+    /// Error of the envelope for each field, relative to the largest absolute value of the field. The error was
+    /// measured when a longer interval was bisected into this interval and its neighbour. The error is infinite for
+    /// the intervals of the first round.
     error: ByField<f64>,
     open: bool,
 }
@@ -106,8 +106,8 @@ impl Sweep {
         answered(label, None, options, self.near(first_axle), host)
     }
 
-    /// Adds the answers at the wanted positions, in the order of these positions, and chooses the positions of
-    /// the next round.
+    /// Stores the answers at the train positions in `wanted`, in the order of these positions, and chooses the train
+    /// positions of the next round.
     fn give(&mut self, answers: Vec<Answer>) {
         let wanted = std::mem::take(&mut self.wanted);
         let new: Vec<Position> =
@@ -201,8 +201,8 @@ impl Sweep {
             let shortest = if solved == 2 { SHORTEST } else { SHORTEST_AT_EDGE };
             if length <= shortest * l || solved == 0 {
                 between.open = false;
-                // The error of an interval that was never bisected counts as zero. Such an interval lies, for
-                // example, at the jump due to an axle that arrives or leaves.
+                // An interval of train positions that is excluded in the first round has no error estimate, and its
+                // error counts as zero. An example is the short interval in which an axle arrives on the beam.
                 if between.error.contains(&f64::INFINITY) {
                     between.error = [0.0; Field::ALL.len()];
                 }
@@ -236,10 +236,10 @@ fn is_edge(a: &Position, b: &Position) -> bool {
     a.section.ranges.is_some() != b.section.ranges.is_some()
 }
 
-/// The largest absolute value of each field. The scale of gap and settlement is at least `NOTHING` times the
-/// scale of the deflection.
+/// The largest absolute value of each field. For gap and settlement, returns at least `NOTHING` times the largest
+/// absolute deflection.
 fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
-    /// Fraction of the deflection below which a gap or a settlement counts as zero.
+    /// Errors of gap and settlement are measured relative to at least this fraction of the largest deflection.
     const NOTHING: f64 = 1e-6;
     let mut scale = [0.0_f64; Field::ALL.len()];
     for ranges in positions.filter_map(|position| position.section.ranges.as_ref()) {

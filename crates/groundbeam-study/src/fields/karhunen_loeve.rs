@@ -82,9 +82,9 @@ impl Expansion {
     }
 }
 
-/// Returns the sign that makes the first entry of largest magnitude of an eigenvector positive. An antisymmetric
-/// eigenvector has two entries of largest magnitude; the tolerance `ROUNDING` makes the choice between them
-/// independent of rounding error.
+/// Returns the sign, 1 or −1, by which an eigenvector is multiplied so that its entry of largest magnitude becomes
+/// positive. An antisymmetric eigenvector has two entries of largest magnitude. Magnitudes with a relative
+/// difference below `ROUNDING` count as equal, and the first entry of largest magnitude becomes positive.
 fn sign(vector: &[f64]) -> f64 {
     let largest = vector.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let first = vector.iter().find(|entry| entry.abs() >= (1.0 - ROUNDING) * largest);

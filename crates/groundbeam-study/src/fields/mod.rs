@@ -185,7 +185,7 @@ mod tests {
             let found = expansion.eigenvalues();
             exact.iter().zip(found).map(|(e, f)| (e - f).abs()).fold(0.0, f64::max)
         };
-        // The error of the eigenvalues is of second order in the distance between the points.
+        // The error of the eigenvalues of the covariance is of second order in the spacing of the field's points.
         let [coarse, fine] = [64, 128].map(error);
         assert!(fine < 1e-3 && coarse / fine > 3.5 && coarse / fine < 4.5, "{coarse} {fine}");
     }

@@ -5,8 +5,8 @@ use super::mixed;
 /// Smallest number of rounds of the Feistel network that permutes the sample indices. With four or more
 /// rounds the network is a pseudorandom permutation (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// The Feistel network mixes an index of 2h bits in `MORE_ROUNDS`/h additional rounds. One round mixes only few
-/// bits of a short number, so short numbers need more rounds.
+/// A Feistel network that permutes indices of 2h bits has `ROUNDS` + `MORE_ROUNDS`/h rounds. One round mixes only a few
+/// bits of a short index, so short indices need more rounds.
 const MORE_ROUNDS: u32 = 24;
 
 /// Computes a coordinate of sample `index` of `count` samples. The coordinate lies in one of `count` equal
@@ -54,8 +54,8 @@ mod tests {
         }
     }
 
-    /// Tests that all images of an index under the permutations of many keys are equally probable. The tolerance is
-    /// five standard deviations of the χ² distribution with 4 degrees of freedom.
+    /// Tests that the permutations for different keys map an index to every possible image equally often. The
+    /// tolerance is five standard deviations of the χ² distribution with 4 degrees of freedom.
     #[test]
     fn every_image_of_a_permutation_is_equally_probable() {
         for index in 0..5 {

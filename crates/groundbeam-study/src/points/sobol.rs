@@ -39,7 +39,7 @@ fn directions(numbers: &[u32]) -> [u32; DIGITS] {
     v
 }
 
-/// Sobol's sequence in a given number of dimensions, at most the number for which direction numbers are stored.
+/// Sobol's sequence in a given number of dimensions. The stored table of direction numbers limits the number of dimensions.
 #[derive(Debug, Clone)]
 pub struct Sobol {
     dimensions: usize,
@@ -85,8 +85,8 @@ fn scrambled(digits: u32, key: u64) -> u32 {
 mod tests {
     use super::*;
 
-    /// Tests point 1000 of the unscrambled sequence of SciPy 1.17. SciPy orders the same points by Gray code: its
-    /// point i is our point i ⊕ (i >> 1).
+    /// Compares one of our points with point 1000 of the unscrambled Sobol sequence of SciPy 1.17. SciPy orders the
+    /// same points by Gray code: its point i is our point i ⊕ (i >> 1).
     #[test]
     fn the_sequence_has_the_points_of_joe_and_kuo() {
         let gray = 1000_u64 ^ (1000 >> 1);

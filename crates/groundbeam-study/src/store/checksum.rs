@@ -1,4 +1,4 @@
-//! Computes and verifies the SHA-256 checksums of a file of results, which the metadata of the file contain.
+//! Computes and verifies the SHA-256 checksums of a results file, which are stored in the metadata of the file.
 //!
 //! A block contains one group of rows. The last block, the tail, contains the page index, the metadata and the
 //! footer. The metadata contain the end and the digest of each block and finally the digest of the tail. The
@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 /// The key of the checksums in the metadata.
 pub const KEY: &str = "groundbeam.checksum";
-/// Name of the method, which is the first word of the checksums.
+/// Name of the hash method. The text that lists all checksums of a file begins with this name.
 const METHOD: &str = "sha-256";
 /// Characters of a digest.
 const DIGITS: usize = 64;
@@ -156,7 +156,7 @@ fn damaged_tail(path: &Path) -> StoreError {
     StoreError::Damaged(path.to_owned(), "its metadata".to_owned())
 }
 
-/// Reads the metadata and the eight bytes after them. Returns `None` if the file is not in the format of Parquet.
+/// Reads the metadata of a file and the eight bytes after the metadata. Returns `None` if the file is not a Parquet file.
 fn metadata_of(mut file: &File, length: u64) -> io::Result<Option<Vec<u8>>> {
     let Some(end) = length.checked_sub(8) else { return Ok(None) };
     let mut last = [0; 8];

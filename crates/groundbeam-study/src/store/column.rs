@@ -109,7 +109,7 @@ impl Column {
         Column { definitions, ..Column::empty(Values::Words(all)) }
     }
 
-    /// A column of numbers; NaN is omitted.
+    /// A column of numbers, in which NaN becomes a missing value.
     pub fn numbers(numbers: impl Iterator<Item = f64>) -> Self {
         let mut values = Vec::new();
         let mut definitions = Vec::new();
@@ -216,7 +216,7 @@ impl Column {
     }
 }
 
-/// Returns the error for a file with a column of a type that files of results never contain.
+/// Returns the error for a file that has a column of an unexpected type. Results files have no such column.
 fn foreign() -> ParquetError {
     ParquetError::General(
         "the file has a column of a type that does not occur in study results".to_owned(),

@@ -151,7 +151,7 @@ impl Parts {
         writer.finish()
     }
 
-    /// Joins all parts in one file and removes them.
+    /// Joins all parts into one results file, and then deletes the parts.
     pub fn finish(self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
         let all = self.all()?;
         let paths: Vec<&Path> = all.iter().map(|(_, path)| &**path).collect();
@@ -161,7 +161,7 @@ impl Parts {
     }
 }
 
-/// Joins several files, row after row, and writes the file `out`.
+/// Writes the rows of several files, one file after the other, to the file `out`.
 pub fn assembled(
     out: &Path,
     table: &Table,

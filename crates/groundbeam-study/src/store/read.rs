@@ -89,7 +89,7 @@ impl Results {
         self.file.get_row_group(group).map_err(|error| self.wrong(&error))
     }
 
-    /// Verifies all rows; `verified` receives the number of rows of each group.
+    /// Verifies all row groups of the Parquet file. After each row group, `verified` is called with its number of rows.
     pub fn verify(
         &self,
         verified: &mut dyn FnMut(u64) -> Result<(), StoreError>,
@@ -147,8 +147,8 @@ pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
     Ok(results.rows())
 }
 
-/// Returns a function that sums the numbers of verified rows, and reports their sum and the number of all rows,
-/// `of`, to `watch`.
+/// Returns a function that receives the number of rows of each verified row group. The function reports to `watch` how
+/// many rows have been verified so far, out of `of` rows.
 pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), StoreError> {
     let mut done = 0;
     move |rows| {

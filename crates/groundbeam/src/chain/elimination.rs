@@ -1,8 +1,8 @@
 //! Solves the linear system: eliminates the unknowns of beam and ground from both ends of the beam to a node between them.
 //!
 //! The unknowns of a node are the deflection w and the rotation θ of the beam and, where beam and ground are not in
-//! contact, the settlement u of the ground surface. A sweep condenses the cells that it has passed to a stiffness
-//! and a force at the present node. An element of length h has the deformations d₁ = w_right − w_left − h θ_left
+//! contact, the settlement u of the ground surface. A sweep replaces all cells behind the present node by one stiffness
+//! matrix and one force vector at this node. An element of length h has the deformations d₁ = w_right − w_left − h θ_left
 //! and d₂ = θ_right − θ_left. The sweep eliminates either w of the passed node or d₁, whichever has the larger
 //! stiffness, and likewise either θ or d₂. So no stiffness is a small difference of large numbers. Each element is
 //! crossed once in the sweep and once in back-substitution, so the cost is linear in the number of elements.
@@ -42,9 +42,9 @@ struct BackSubstitution {
     /// Whether the eliminated unknown of the ground surface is the surface unknown of the right node minus that
     /// of the left node. Otherwise it is the surface unknown of the left node.
     rise: bool,
-    /// Coefficients a, b and c of the surface settlement c − a w − b θ at the left node, where w is the
-    /// deflection and θ the rotation of this node. They are used if the surface settlement is an unknown to the
-    /// left of the left node but not to its right.
+    /// Coefficients a, b and c of the surface settlement c − a w − b θ at the left node of the element, where w is the
+    /// deflection and θ the rotation of this node. They are used if ground out of contact ends at this node, so that
+    /// the surface settlement is an unknown only to the left of the node.
     ended: [f64; 3],
     /// Back-substitution across the hinge at the left node.
     turned: Option<HingeRotation>,
@@ -179,14 +179,14 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
-/// `ORDER[i]` is the position of unknown i in the order of condensation, in which the three unknowns of the
-/// right node come first. The unknowns are, in this order: deflection and rotation of the right node, the two
-/// eliminated beam unknowns, and the surface unknowns of the left and of the right node.
+/// `ORDER[i]` is the new position of unknown i when the three unknowns of the right node are moved to the front. The
+/// original order is: deflection and rotation of the right node, the two eliminated beam unknowns, and the surface
+/// unknowns of the left and of the right node.
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
-/// Transforms a row of coefficients to the order of condensation ([`ORDER`]). `row` contains the coefficients of
-/// the four unknowns of the element and of the left and the right surface unknown. `c` is the matrix of
-/// [`transform`].
+/// Transforms a row of coefficients with the matrix `c` of [`transform`], and sorts it by [`ORDER`]. `row` contains the
+/// coefficients of the four unknowns of the element and of the ground's surface unknowns at the left and the right
+/// node.
 fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
     let mut ordered = [0.0; 6];
     for j in 0..4 {
@@ -246,9 +246,9 @@ fn cross(
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // Transforms the stiffness matrix and the load vector. The four beam unknowns of the element are expressed by the
-    // deflection and the rotation of the right node and the two beam unknowns that are eliminated. These four and the
-    // two surface unknowns of the ground are sorted as in `ORDER`.
+    // Transforms the stiffness matrix and the load vector to new unknowns, sorted by `ORDER`. The new unknowns are the
+    // deflection and the rotation of the right node, the two eliminated beam unknowns, and the two unknowns of the
+    // ground surface.
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
@@ -275,10 +275,10 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // If the right end of the ground under the cell touches the beam, this ground restrains the deflection of
-    // the right node but not its rotation. Its stiffness is added only after the deflections and rotations of
-    // the ends of the element have been transformed. Otherwise, rounding errors of this transformation would
-    // restrain the rotation of a free beam.
+    // If ground out of contact is connected to the beam at the right node, this ground restrains the deflection of
+    // the node but not the rotation. The stiffness of this ground is added only after the deflections and rotations
+    // of both nodes have been transformed. Otherwise, rounding errors of the transformation would restrain the
+    // rotation of a free beam.
     if let Some(open) = open {
         add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
     }
@@ -286,8 +286,8 @@ fn cross(
     condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates those of the last three of six unknowns that are `free`. If the first of these three unknowns is not
-/// free, it equals `settlement`. If one of the other two is not free, it is zero.
+/// Eliminates the last three of six unknowns. `free` states for each of these three whether its value is free. If the
+/// first of the three is not free, it equals `settlement`. If the second or the third is not free, it is zero.
 fn condense(
     m: &[[f64; 6]; 6],
     f: &[f64; 6],

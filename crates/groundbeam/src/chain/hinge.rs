@@ -8,8 +8,9 @@
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 use crate::numeric::real::sum;
 
-/// Back-substitution across a hinge, which a sweep crosses from its near to its far side. It computes θ_near =
-/// constant − gain · (w, θ_far, u) from the deflection w, the rotations θ and the settlement u.
+/// Coefficients of the back-substitution across a hinge. The rotation on the near side of the hinge, which is
+/// eliminated first, is constant − gain · y. The vector y contains the deflection, the rotation on the far side and
+/// the unknown of the ground surface at the hinge.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HingeRotation {
     gain: [f64; 3],

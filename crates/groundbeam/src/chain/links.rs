@@ -1,4 +1,4 @@
-//! Adds the stiffness of the ground under a cell, which is out of contact with the beam, to the stiffness of the cell.
+//! Adds to the stiffness of a cell the stiffness of the ground under it, where beam and ground do not touch.
 
 use crate::chain::node::{ChainNode, OpenGround, Tie};
 
@@ -18,11 +18,11 @@ pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surfac
     (row, node.gap)
 }
 
-/// Adds the stiffness and the force of the ground under a cell, which is out of contact with the beam, to `k`
-/// and `q`. Each end of this ground is connected to the surface of the neighbouring ground or to the beam.
-/// `surfaces` and `beam` are the settlement and the deflection at both ends of the cell, as linear functions of
-/// the unknowns of the cell. `k` and `q` refer to six transformed unknowns; `turned` converts a linear function
-/// of the unknowns of the cell to a function of these six.
+/// Adds to `k` and `q` the stiffness and the force of the ground under a cell. This ground is out of contact with
+/// the beam. Each of its ends is connected to the surface of the neighbouring ground or to the beam. `surfaces` and
+/// `beam` are the settlement and the deflection at both ends of the cell, as linear functions of the unknowns of
+/// the cell. `k` and `q` are the stiffness matrix and the load vector of the cell for six transformed unknowns;
+/// `turned` converts a linear function of the unknowns of the cell to a function of these six.
 pub(super) fn add_open_ground(
     open: &OpenGround,
     surfaces: [Surface; 2],

@@ -1,4 +1,4 @@
-//! Nodes and cells of the chain, with their loads, springs, supports and open ground.
+//! Nodes and cells of the chain of elements, with their loads, springs and supports, and with the ground out of contact.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
@@ -26,13 +26,13 @@ pub(crate) struct ChainNode {
     /// Rotational stiffness of the hinge at this node; `None` without a hinge. A node with a hinge has neither
     /// an applied moment nor a rotational support.
     pub hinge: Option<f64>,
-    /// Stiffness of the ground outside the beam at an end of the beam that is in contact. It acts on the
-    /// deflection of the node minus `gap`.
+    /// Stiffness of the ground outside the beam, if the node is an end of the beam and in contact; otherwise 0. The
+    /// force of this ground is this stiffness times (deflection of the node − `gap`).
     pub ground_spring: f64,
     /// Initial gap plus free-field settlement at the node.
     pub gap: f64,
-    /// Stiffness of the ground outside the beam at an end of the beam that is not in contact. It acts on the
-    /// settlement of the ground surface at the node.
+    /// Stiffness of the ground outside the beam, if the node is an end of the beam and not in contact; otherwise 0.
+    /// The force of this ground is this stiffness times the settlement of the ground surface at the node.
     pub surface_spring: f64,
     /// Whether the settlement of the surface is an unknown, to the left and to the right of the node.
     pub surface: [bool; 2],
@@ -45,15 +45,17 @@ pub(crate) struct ChainNode {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NotDefinite;
 
-/// Index of the deflection among the three unknowns of a node: deflection, rotation and surface unknown.
+/// Index of the deflection among the three unknowns of a node: the deflection, the rotation and the unknown of the
+/// ground surface.
 pub(crate) const W: usize = 0;
 
 pub(crate) const THETA: usize = 1;
 
 pub(crate) const U: usize = 2;
 
-/// Condensed energy ½ yᵀSy − rᵀy of all cells on one side of a node. The vector y contains the three unknowns of
-/// the node.
+/// Condensed energy ½ yᵀSy − rᵀy of all cells on one side of a node. S is the condensed stiffness and r the
+/// condensed load. The vector y contains the deflection, the rotation and the unknown of the ground surface at the
+/// node.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct CondensedStiffness {
     pub s: [[f64; 3]; 3],

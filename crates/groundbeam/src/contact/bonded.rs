@@ -18,13 +18,14 @@ use crate::numeric::elementary::power;
 use crate::numeric::polynomial::{TERMS, value};
 use std::borrow::Cow;
 
-/// The bonded problem of one beam, on contact intervals that change from step to step.
+/// Solver for a beam that is bonded to the ground on given intervals. It keeps the elements of the last solve for
+/// reuse.
 #[derive(Debug)]
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
-    /// Whether all elements are short relative to the wavelength of the beam. Then no long
-    /// [quiet](crate::element) element is used.
+    /// Whether all elements are short compared with the wavelength of the beam. Otherwise, a long loaded stretch in
+    /// contact has one long [element](crate::element) in its middle.
     is_fine: bool,
     /// Elements of the previous step, which are reused for unchanged cells.
     known: Vec<Known>,
@@ -49,8 +50,8 @@ pub(crate) struct BondedSystem {
 /// The stabilising springs of a bonded beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Springs {
-    /// Work Σ c (w̃ − w)² of the springs with stiffness c, from the deflection w before the step to the bonded
-    /// deflection w̃.
+    /// Sum Σ c (w̃ − w)² over the springs, which is twice their elastic energy. c is the stiffness of a spring, w
+    /// the deflection at which it is unstressed, and w̃ the deflection of the bonded beam.
     pub work: f64,
     /// Whether the forces of the stabilising springs are zero up to rounding error. Then the beam is in
     /// equilibrium without these springs.
@@ -127,15 +128,31 @@ impl<'a> Bonded<'a> {
         Bonded { model, cancel, is_fine: false, known: Vec::new() }
     }
 
-    /// Creates the bonded problem with elements that are short relative to the wavelength of the beam everywhere.
-    /// Such elements represent the response to any load.
+    /// Creates a solver whose elements are all short compared with the wavelength of the beam. Such elements
+    /// resolve the response to any load.
     pub fn fine(model: &'a Model, cancel: &'a Cancel) -> Self {
         Bonded { is_fine: true, ..Bonded::new(model, cancel) }
     }
 
-    /// Solves the beam bonded to the ground on given intervals. If the solve is cancelled, it returns [`NotDefinite`].
+    /// Solves the beam bonded to the ground on the given intervals and out of contact elsewhere. Returns
+    /// [`NotDefinite`] if the stiffness matrix is not positive definite, and also if the calculation is cancelled.
     pub fn solve_on(&mut self, intervals: &[Interval]) -> Result<ContactState, NotDefinite> {
         self.solve_with(intervals, &[], |_, _| ())
+    }
+
+    /// Whether the energy of the beam bonded to the ground on given intervals is positive definite. Returns `false` if
+    /// the solve is cancelled.
+    pub fn is_stable_on(&self, intervals: &[Interval]) -> bool {
+        let touch = zone_kind_of(intervals);
+        if self.cancel.is_cancelled() || folds(self.model, intervals.as_flattened(), &touch) {
+            return false;
+        }
+        let (mesh, zones) = self.mesh_on(intervals, &[]);
+        let axial = self.model.beam.axial_force;
+        let element = |cell: &Cell| {
+            ExactElement::new(&Operator::of(cell, axial, touch(cell)), cell.length()).element
+        };
+        chain_of(&mesh, &zones, mesh.cells.iter().map(element)).solve().is_ok()
     }
 
     /// Solves the bonded beam with prescribed rotations.
@@ -181,8 +198,9 @@ impl<'a> Bonded<'a> {
                     extension = extension.max((w - spring.rest).abs());
                     deflection = deflection.max(w.abs());
                 }
-                // Springs that are stiffer than the ground can carry the loads at a small extension. So their
-                // extension is multiplied by their stiffness relative to the ground.
+                // If the springs are stiffer than the ground, even a small extension of the springs can carry the
+                // loads. The extension is therefore multiplied by the ratio of spring stiffness to ground
+                // stiffness.
                 let at_rest = extension * epsilon.max(1.0) <= ULPS * f64::EPSILON * deflection;
                 return Some((found, Springs { work, at_rest }));
             }
@@ -301,8 +319,8 @@ impl<'a> Bonded<'a> {
         coefficients
     }
 
-    /// Returns the deflection w as power series if boundary layers exist. Elements with boundary layers are cut into
-    /// parts.
+    /// Cuts the elements with boundary layers into parts. Returns the resulting mesh, and the deflection w as one
+    /// power series for each of its cells.
     fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
         let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
         let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
@@ -328,7 +346,8 @@ impl<'a> Bonded<'a> {
     }
 }
 
-/// A prescribed rotation. It is enforced by a spring whose moment is zero in equilibrium.
+/// A rotation that is prescribed for a mechanism. A rotational spring, unstressed at this rotation, stabilises the
+/// beam. The spring carries no moment if the beam is in equilibrium without it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenRotation {
     pub at: f64,

@@ -30,9 +30,10 @@ use crate::model::Model;
 use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
-/// Computes a deflection of the beam and its contact set, from which Newton's method on the contact edges
-/// (phase B) starts. Each `level` has a finer mesh and shorter continuation steps than the previous level.
-/// Levels count from 0. Level 1 uses the bending stiffness of the model from the start, without continuation.
+/// Computes the deflection and the contact set from which Newton's method on the contact edges (phase B) starts.
+/// Levels count from 0, and each level uses a finer mesh than the preceding level. Except at level 1, the
+/// calculation starts with a stiffer beam. Its bending stiffness is reduced to that of the model in steps, which
+/// are shorter at higher levels.
 pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };
@@ -94,10 +95,9 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Performs phase A: computes the contact set from ground forces at the nodes, on meshes from coarse to fine.
-/// The nodal forces determine the edges of the contact set. At the last level, the obstacle problem for the
-/// deflection determines the edges instead. An edge at a hinge keeps its position if nodal forces determine it,
-/// but not if the obstacle problem does.
+/// Performs phase A: computes the contact set from ground forces at the nodes, on meshes from coarse to fine. The
+/// nodal forces determine the contact set. At the last level, the obstacle problem for the computed deflection
+/// determines it instead.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Shear deformation is omitted here, because it requires elements with power series, which take ten times as
     // long.
@@ -106,6 +106,7 @@ fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconver
     let per_wave = power(3.0, level as usize);
     let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
     let found = nodes::Solved::new(grid, workspace).state();
+    // The nodal forces keep a contact edge at a hinge exactly at the hinge. The obstacle problem may move this edge.
     let contact = if level + 1 < LEVELS {
         edges
     } else {
@@ -114,8 +115,9 @@ fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconver
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Returns log₂ of the factor on EI at which at most [`STIFF_WAVES`] waves fit between two nodes of the model. With
-/// increasing EI, the wave number decreases at least like EI^(−1/4).
+/// Returns log₂ of the factor by which EI is multiplied so that the wave number of the beam times the distance
+/// between adjacent nodes of the model is at most [`STIFF_WAVES`]. With increasing EI, the wave number decreases at
+/// least as fast as EI^(−1/4).
 fn stiffening(model: &Model) -> f64 {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
@@ -156,8 +158,9 @@ fn asked(found: &ContactState) -> Vec<Interval> {
     positions(&found.mesh, &found.zones, &[])
 }
 
-/// Extrapolates the edges from `before` and `here` by a fraction `part` of their move, on a beam of length l. Returns
-/// `None` if the number of zones changed or two zones would meet.
+/// Extrapolates the contact edges: moves each edge beyond its position in `here` by `part` times its move from
+/// `before` to `here`, at most to an end of the beam of length l. Returns `None` if the number of zones changed or
+/// if the extrapolated zones would overlap.
 pub(crate) fn secant(
     before: &[Interval],
     here: &[Interval],

@@ -26,8 +26,9 @@ pub(crate) struct Shortened {
     pub between: Option<ContactState>,
 }
 
-/// Shortens the step from the deflection w (`now`) to the deflection w̃ (`bonded`) of the beam bonded to the ground
-/// on the trial contact. `spring_work` is the work ε|w̃ − w|² of the stabilising springs.
+/// Shortens the step from the present deflection w (`now`) to the deflection w̃ (`bonded`) of a beam that is bonded
+/// to the ground in the trial contact zones. `spring_work` is the sum Σ c (w̃ − w)² over the stabilising springs of
+/// stiffness c.
 pub(crate) fn shorten(
     model: &Model,
     now: &ContactState,

@@ -67,17 +67,18 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
     zones.iter().enumerate().map(interval).collect()
 }
 
-/// Computes how far an edge must move outward so that the concentrated force A at the edge becomes zero. An
-/// outward move reduces A by (π − S A/μ) times the move, where π is the pressure, S the stiffness of the ground
-/// out of contact beside the edge and μ the stiffness of the shear layer. The edge does not move if the ground
-/// can exert a concentrated force at it ([`can_carry`]), for example at an end of the beam. The result is
-/// `None` if this force is tensile, or if no move makes A zero.
+/// Computes by one Newton step how far a contact edge must move outward so that the concentrated force at the edge
+/// becomes zero. `stiffness` is the stiffness of the ground out of contact beside the edge. The edge does not move
+/// if the ground can exert a concentrated force there ([`can_carry`]), for example at an end of the beam. The
+/// result is `None` if this force is tensile, or if no move makes the concentrated force zero.
 fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);
     }
     let [_, _, pressure] = w.obstacle_and_pressure(edge);
     let [_, shear] = w.mesh.cells[edge.cell].ground_at(edge.s);
+    // An outward move of the edge reduces the concentrated force by `slope` times the move. The quotient of `force` and
+    // `shear` is the jump in the slope of the ground surface at the edge.
     let slope = pressure - stiffness / shear * force;
     (slope > 0.0).then_some(force / slope)
 }

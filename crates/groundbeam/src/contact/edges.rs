@@ -1,12 +1,12 @@
 //! Phase B of the contact iteration: finds the contact edges by Newton's method.
 //!
 //! Each step solves the beam bonded to the ground on a trial contact set Z, and computes the contact set of the
-//! resulting deflection. Near the solution, [edge Newton](super::edge_step) computes this contact set: one Newton
-//! step for a zero concentrated force at each edge, under the given deflection. Otherwise the obstacle problem
-//! determines it. The move of the contact is the length of the longest interval in the symmetric difference of Z and
-//! this contact set. A step is a full step if its move is at most half of the smallest move so far, or below
-//! [`BLIND`]. Every other step, and every step with stabilising springs, is shortened by a line search, so that the
-//! energy Φ decreases.
+//! resulting deflection. Near the solution, [edge Newton](super::edge_step) computes this contact set: with the
+//! deflection fixed, one Newton step moves each edge so that the concentrated force at the edge becomes nearly
+//! zero. Far from the solution, the obstacle problem determines the contact set. The move of the contact is the
+//! length of the longest interval in the symmetric difference of Z and this contact set. A step is a full step if
+//! its move is at most half of the smallest move so far, or below [`BLIND`]. Every other step, and every step with
+//! stabilising springs, is shortened by a line search, so that the energy Φ decreases.
 //!
 //! The stopping criterion uses the edges, not the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the
 //! energy, so the energy cannot show whether the zone is in contact.
@@ -35,17 +35,18 @@ pub(crate) struct Start {
     pub contact: Vec<Interval>,
     /// The deflection whose contact set is `contact`, if known.
     pub now: Option<ContactState>,
-    /// Whether the first step may compute the next contact set by edge Newton instead of the obstacle problem.
+    /// Whether the first step may find the next contact set by Newton's method for the positions of the contact
+    /// edges. Otherwise, the first step solves the obstacle problem.
     pub near: bool,
 }
 
 impl Start {
-    /// Creates an initial guess of the iteration from a trial contact set. The deflection is unknown.
+    /// Creates an initial guess for the iteration from a trial contact set, without a deflection.
     pub fn on(contact: Vec<Interval>) -> Self {
         Start { contact, now: None, near: false }
     }
 
-    /// Creates an initial guess of the iteration from a deflection and its contact set.
+    /// Creates an initial guess for the iteration from a deflection and its contact set.
     pub fn of(found: ContactState) -> Self {
         let contact = positions(&found.mesh, &found.zones, &[]);
         Start { contact, now: Some(found), near: false }
@@ -100,7 +101,7 @@ struct Search<'a, 'm> {
     history: Vec<Step>,
     /// The contact sets of all steps since the line search last shortened a step.
     visited: Vec<Visited>,
-    /// The deflection from which the next step starts.
+    /// The present deflection, from which the next step of the contact iteration starts.
     now: Option<Rc<ContactState>>,
     /// Change of the contact in a step, relative to the length of the beam: `before` in the step before the
     /// last, `moved` in the last step, and `least` in the step with the smallest change so far. The change is
@@ -108,11 +109,13 @@ struct Search<'a, 'm> {
     before: f64,
     moved: f64,
     least: f64,
-    /// Change of the contact in the last step. A shortened step resets `moved`, but not this value.
+    /// Length of the longest interval on which the contact changed in the last step, relative to the length of the
+    /// beam. A shortened step resets `moved`, but not this value.
     last: f64,
     /// Number of consecutive steps without progress.
     stale: usize,
-    /// Stiffness of the next stabilising springs, relative to the stiffness of the ground.
+    /// Stiffness of the stabilising springs in the next solve that needs them, relative to the stiffness of the
+    /// ground.
     epsilon: f64,
     /// Whether the last line search was limited by rounding error. The next trial then has stabilising springs.
     needs_springs: bool,
@@ -154,7 +157,8 @@ impl Search<'_, '_> {
         contact.into_iter().map(|ends| ends.map(|x| snapped(x, &self.places, l))).collect()
     }
 
-    /// Solves the obstacle problem for the deflection `found`, and returns the contact set.
+    /// Solves the obstacle problem of the ground under the beam with the given deflection `found`, and returns the
+    /// contact set.
     fn scan(&self, found: &ContactState) -> Vec<Interval> {
         positions(&found.mesh, &obstacle::contact(&found.deflection()), &self.places)
     }
@@ -202,9 +206,9 @@ impl Search<'_, '_> {
         holds.then_some(found)
     }
 
-    /// Computes the contact set of the bonded beam. A Newton step of the edges computes it if the last change
-    /// of the contact was small. The obstacle problem computes it otherwise, and also if the Newton step moves
-    /// no edge.
+    /// Computes the next trial contact set. If the last change of the contact was small, a Newton step moves the
+    /// contact edges. If the change was large, or if the Newton step fails or moves no edge, the obstacle problem
+    /// for the deflection of the bonded beam determines the contact set.
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
@@ -218,8 +222,8 @@ impl Search<'_, '_> {
         let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
-        // A move counts as progress if it is at most half of the last move. Moves as small as rounding error
-        // fluctuate, so such a move must be at most half of the smallest move so far.
+        // A move of the contact edges counts as progress if it is at most half of the preceding move. A move of the
+        // size of rounding error must be at most half of the smallest move so far, because such moves fluctuate.
         let goal = if self.moved > JITTER { self.last } else { self.least };
         let is_progress = self.moved.is_finite() && self.moved <= 0.5 * goal;
         self.stale = if is_progress { 0 } else { self.stale + 1 };
@@ -314,8 +318,9 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// Leaves the zones whose force is only rounding error out of contact, and solves the beam bonded to the
-    /// ground on the other zones. Returns `None` unless this contact is correct up to rounding error.
+    /// Solves the beam without contact in the zones whose contact force is only rounding error, and bonded to the
+    /// ground in the other zones. Returns `None` if no zone has such a small force, or if the result does not solve
+    /// the contact problem.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -347,15 +352,17 @@ impl Search<'_, '_> {
         (is_own && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
     }
 
-    /// If the only contact zone is so short that its length is rounding error, solves the beam as balanced on
-    /// one point, an end of this zone.
+    /// If the length of the only contact zone may be rounding error, solves the beam as balanced on a single point.
+    /// This point is one of the ends of the zone.
     fn on_a_corner(&mut self, contact: &[Interval], found: &ContactState) -> Option<ContactState> {
         let &[[from, to]] = contact else { return None };
         let is_short = from < to && to - from <= SAME * self.length();
         is_short.then(|| [from, to].into_iter().find_map(|at| self.balanced(&[[at; 2]], found)))?
     }
 
-    /// Returns the next trial contact: `asked` after a full step, otherwise the contact of the shortened step.
+    /// Returns the next trial contact set. After a full step, it is the contact set `asked` that was computed for
+    /// the full step. After a shortened step, it is the contact set of the deflection at the end of the shortened
+    /// step.
     fn step(
         &mut self,
         contact: Vec<Interval>,

@@ -1,6 +1,8 @@
-//! Computes products with the flexibility G of the ground at the nodes of a mesh, (5.8), without forming the matrix.
+//! Computes products with the flexibility matrix G of the ground, (5.8) of Kikuchi's paper, without forming the matrix.
 //!
-//! Away from the diagonal a column of G decays by a factor from node to node, so products with G cost O(n).
+//! G contains the settlement of each node of a mesh due to a unit force at each node. On each side of the diagonal,
+//! each entry is its neighbour in the same column times a factor that depends only on the row. A product with G
+//! therefore costs only O(n) operations.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::mesh::Mesh;

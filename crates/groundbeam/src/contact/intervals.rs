@@ -22,8 +22,9 @@ pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<
     all.filter(kept).map(|(_, interval)| interval).collect()
 }
 
-/// Joins intervals separated by slits of the size of rounding error, on a beam of length l. Point contacts are kept:
-/// they may be the end of a shear layer beside Winkler ground.
+/// Joins neighbouring intervals if the distance between them is only rounding error. l is the length of the beam.
+/// Point contacts are not joined, because a beam can touch the ground at a single point where a shear layer ends
+/// beside Winkler ground.
 pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
     let mut joined: Vec<Interval> = Vec::with_capacity(intervals.len());
     for interval in intervals {

@@ -10,9 +10,9 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use std::ops::Range;
 
-/// At a node out of contact, the unknown of the ground surface is the settlement relative to the beam if the
-/// distance of the node from the nearest point in contact, multiplied by the wave number of the beam, is at
-/// most this limit.
+/// Limit of the distance of a node from the nearest point in contact, multiplied by the wave number of the beam. At
+/// a node out of contact within this limit, the unknown of the ground surface is the settlement relative to the
+/// beam.
 const NARROW_GAP: f64 = 1e-2;
 
 /// Contact of the cells and nodes of a mesh.
@@ -88,7 +88,7 @@ impl Layout {
         best.1
     }
 
-    /// Returns the nodes of the linear system for this contact, with their loads, supports and ground springs.
+    /// Returns the nodes of the linear system, with their loads, supports and ground springs.
     pub fn nodes(&self, mesh: &Mesh) -> Vec<ChainNode> {
         let mut nodes: Vec<ChainNode> = mesh
             .nodes
@@ -186,7 +186,8 @@ impl Layout {
         distance
     }
 
-    /// The open ground under cell i.
+    /// Returns the ground under cell i if it has a shear layer and is out of contact with the beam; otherwise
+    /// `None`.
     fn open_ground(&self, mesh: &Mesh, i: usize) -> Option<OpenGround> {
         let cell = &mesh.cells[i];
         if cell.shear_layer <= 0.0 || self.touching[i] {
@@ -199,8 +200,8 @@ impl Layout {
         Some(OpenGround { two_port: cell_part(cell, -1.0, 1.0), ties })
     }
 
-    /// Returns the cells of the linear system for this contact: each element, with the shear layer under it
-    /// where the beam is out of contact.
+    /// Returns the cells of the linear system. A cell is a beam element and, where the beam is out of contact, also
+    /// the ground under it if this ground has a shear layer.
     pub fn cells(&self, mesh: &Mesh, elements: impl Iterator<Item = Element>) -> Vec<ChainCell> {
         let cell = |(i, element)| ChainCell { element, open: self.open_ground(mesh, i) };
         elements.enumerate().map(cell).collect()

@@ -1,8 +1,7 @@
-//! The contact iterations of section 5 of the paper (exact, active set, Uzawa) and their common parts.
+//! The contact iterations of section 5 of Kikuchi's paper (exact, active set, Uzawa) and the parts that they share.
 
 pub(crate) mod bonded;
 pub(crate) mod continuation;
-mod datum;
 mod descent;
 pub(crate) mod edge_error;
 pub(crate) mod edge_step;
@@ -19,6 +18,7 @@ mod springs;
 pub(crate) mod start;
 pub(crate) mod state;
 pub(crate) mod stopping;
+mod substitute;
 pub(crate) mod surface;
 mod undecided;
 pub(crate) mod unloaded_ends;

@@ -1,6 +1,7 @@
-//! Solves the paper's discrete problem (5.5), (5.10), (5.11): forces at nodes, exact beam elements instead of cubic ones (5.2).
+//! Solves Kikuchi's discrete problem (5.5), (5.10), (5.11), in which the ground acts at nodes, with exact beam elements.
 //!
-//! Newton's method determines the nodes in contact, on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
+//! Exact beam elements replace the cubic elements (5.2) of the paper. Newton's method determines the nodes in
+//! contact, on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
 
 use crate::cancel::Cancel;
 use crate::contact::edge_error::EdgeError;
@@ -104,8 +105,8 @@ pub(crate) fn solve(
     }
 }
 
-/// Returns the mesh with one cell between each two consecutive nodes of the list `ends`. The list must contain the
-/// first and the last node of every run of equal elements in the grid.
+/// Returns the mesh whose cells lie between consecutive nodes of the list `ends`. The list must contain the first
+/// and the last node of every run of equal elements in the grid.
 pub(crate) fn mesh(grid: &Grid, ends: &[usize]) -> Mesh {
     let cells = ends.windows(2).map(|ends| {
         let run = &grid.runs[grid.run_at(ends[0])];

@@ -1,11 +1,12 @@
-//! Solves the obstacle problem (2.10): computes the contact set of the ground under a given deflection w.
+//! Solves the obstacle problem (2.10) of Kikuchi's paper: computes the contact set of the ground for a given deflection w.
 //!
-//! For fixed ψ = w − g₀ − u₀, the surface of the ground is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left
-//! to right computes u. The scan is that of a convex hull, with solutions of −(μu')' + ku = 0 in place of straight
-//! lines.
+//! The obstacle is ψ = w − g₀ − u₀, with the initial gap g₀ and the free-field settlement u₀. The ground surface is
+//! the least u ≥ ψ with −(μu')' + ku ≥ 0, where k is the subgrade modulus and μ the stiffness of the shear layer.
+//! One scan from left to right computes u. It works like the construction of a convex hull, with solutions of
+//! −(μu')' + ku = 0 in place of straight lines.
 //!
-//! * Beam and ground can touch along an interval only where π = kψ − (μψ')' ≥ 0. These candidate intervals, the *arcs*,
-//!   follow from the sign changes of the polynomial π.
+//! * Beam and ground can touch along an interval only where the contact pressure π = kψ − (μψ')' is not negative.
+//!   These candidate intervals, the *arcs*, follow from the sign changes of the polynomial π.
 //! * The stack contains the contact intervals of the arcs read so far. A span of unloaded ground, tangent to the last
 //!   arc and to a new arc, joins these two arcs and trims them. An arc on which the ground would be in tension is
 //!   dropped, and the span is extended to the previous arc.
@@ -23,7 +24,7 @@ use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 
-/// The contact zones under a deflection, from left to right.
+/// Returns the contact zones for a given deflection w, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
     for run in ground_runs(w.mesh) {
@@ -42,8 +43,9 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
 struct OpenSpan {
     left: Option<BeamPoint>,
     right: Option<BeamPoint>,
-    /// Force–displacement relation of the whole cells between the cells of `left` and `right`. If `left` or `right` is
-    /// `None`, it includes the ground beyond this end of the [`GroundRun`].
+    /// Force–displacement relation of the whole cells between the cell that contains `left` and the cell that
+    /// contains `right`. If `left` or `right` is `None`, the relation also covers the ground beyond the
+    /// corresponding end of the [`GroundRun`].
     middle: Option<TwoPort>,
 }
 
@@ -54,9 +56,10 @@ struct KeptZone {
     span: OpenSpan,
 }
 
-/// Newton's method has converged if its step is as small as rounding error and the force is below this fraction of the
-/// force before the step. A small step alone is not sufficient, because a large force on a very short span also causes
-/// a small step.
+/// Newton's method for the position of a contact edge has converged if its step is only rounding error and the
+/// concentrated force at the edge is below this fraction of the force before the step. A small step alone is not
+/// sufficient. If the span out of contact beside the edge is very short, a large force also causes only a small
+/// step.
 const CONVERGED: f64 = 0.01;
 
 struct Scan<'a> {
@@ -231,7 +234,7 @@ impl Scan<'_> {
 
     /// Computes the concentrated contact force A at the left end a of a span of ground out of contact, and its
     /// derivative dA/da = −π + (S/μ) A. π is the pressure that the ground at a would have in contact. S is the
-    /// stiffness of the ground out of contact at a (force per settlement), and μ that of the shear layer.
+    /// force at a per unit settlement of the ground at a, and μ is the stiffness of the shear layer.
     fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { left: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -246,8 +249,8 @@ impl Scan<'_> {
     }
 
     /// Computes the concentrated contact force B at the right end b of a span of ground out of contact, and its
-    /// derivative dB/db = π − (S/μ) B. π is the pressure that the ground at b would have in contact. S is the
-    /// stiffness of the ground out of contact at b (force per settlement), and μ that of the shear layer.
+    /// derivative dB/db = π − (S/μ) B. π is the pressure that the ground at b would have in contact. S is the force
+    /// at b per unit settlement of the ground at b, and μ is the stiffness of the shear layer.
     fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { right: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -261,7 +264,9 @@ impl Scan<'_> {
         [force, pressure - (link.shunt_right + link.series) / shear * force]
     }
 
-    /// The forces at both ends of a short span; `None` if the span is not short.
+    /// Returns the concentrated contact forces at the left and the right end of a short span of ground out of
+    /// contact. Returns `None` if the span is not short, or if differences of the slopes of beam and ground surface
+    /// give more accurate forces.
     fn short(&self, span: &OpenSpan) -> Option<[f64; 2]> {
         short_span::end_forces(self.w, [span.left, span.right])
     }
@@ -284,8 +289,8 @@ impl Scan<'_> {
                 point = limit;
                 break;
             }
-            // The span now reaches the left end of this cell. If its right end lies in another cell, this cell is added
-            // to the whole cells of the span.
+            // The span now reaches the left end of the cell of `point`. If the right end of the span lies in
+            // another cell, the cell of `point` is now one of the whole cells of the span.
             if span.right.is_none_or(|b| b.cell != point.cell) {
                 let opened = self.whole_cells(point.cell, point.cell + 1, None);
                 span.middle = chained(opened, span.middle);
@@ -389,8 +394,8 @@ fn point_zone(point: BeamPoint) -> MeshZone {
     MeshZone { from: point, to: point }
 }
 
-/// Two-port of `before` followed by the whole cells of a range. Consecutive cells of equal uniform ground are one
-/// two-port.
+/// Returns the two-port of `before` and of the cells `from..to` in series. Consecutive cells of equal uniform
+/// ground are treated as one cell.
 fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
     let mut link = before;
     let mut i = from;

@@ -14,15 +14,14 @@ use crate::numeric::tolerance::GAP;
 /// of the beam's length. It then computes the smallest rotation at which the beam is in equilibrium.
 const ALMOST: f64 = 1e-6;
 
-/// Trial values of the rotation of the beam minus its smallest rotation in equilibrium, divided by the larger of |φ|
-/// and |w|/l. Here φ is the rotation and w the deflection of the end in contact, both at the smallest rotation, and l
-/// is the length of the beam. The solver takes the first value whose solution has a relative energy gap of at most
-/// [`GAP`].
+/// Trial values for the increase of the beam's rotation above φ₀, the smallest rotation in equilibrium, relative to
+/// max(|φ₀|, |w₀|/l). Here w₀ is the deflection of the end in contact at the rotation φ₀, and l is the length of
+/// the beam. The solver takes the first value whose solution has a relative energy gap of at most [`GAP`].
 const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
 
-/// Solves a free beam whose load resultant is exactly over one of its ends. Only this end is in contact. If the
-/// resultant approaches the end, the rotation approaches a limit, at which the beam leaves the ground tangentially.
-/// The beam is in equilibrium at every larger rotation. The function chooses one of these larger rotations.
+/// Solves a free beam whose load resultant acts exactly over one of its ends. The beam touches the ground only at
+/// this end, and it is in equilibrium at every rotation above a smallest rotation. At the smallest rotation, the
+/// beam is tangent to the ground at this end. The function chooses a larger rotation.
 pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,
@@ -39,9 +38,8 @@ pub(crate) fn solve_over_an_end(
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
     let at = if over_left { 0.0 } else { l };
-    // The trial rotations exceed the computed smallest rotation, because this rotation is only approximate. It belongs
-    // to a load resultant at the distance ALMOST from the end, where the length of the contact interval is of order
-    // √ALMOST.
+    // The smallest rotation in equilibrium is only approximate, because it was computed with a shifted load
+    // resultant. The trial rotations are therefore larger than this rotation.
     let turns = BEYOND.into_iter().map(|more| {
         let beyond = more * tangent.abs().max(w.abs() / l);
         vec![GivenRotation {

@@ -23,11 +23,11 @@ use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::{Coefficients, value};
 use crate::numeric::real::Real;
 
-/// Maximum number of cells of a short span, counted from the cell of its left end to the cell of its right end. An end
-/// may be the end of a cell in contact, so up to two of these cells may lie outside the span.
+/// Maximum number of cells from the cell of the left end of a short span to the cell of its right end, both
+/// included. Up to two of these cells may lie beside the span and only touch its ends.
 pub(crate) const MOST_CELLS: usize = 4;
-/// Maximum length of a short span, in decay lengths √(μ/k) of the ground. In longer spans, the contact forces from
-/// differences of slopes are accurate to twelve digits.
+/// Maximum length of a short span, in decay lengths √(μ/k) of the ground. In longer spans, contact forces computed
+/// as differences of the slopes of beam and ground surface are accurate to twelve digits.
 const LONGEST: f64 = 0.03;
 
 /// A part of a cell within a short span, and the data of its ground.
@@ -44,13 +44,13 @@ struct SpanPart<R> {
     varying: Option<Box<VaryingGround<R>>>,
 }
 
-/// Unloaded ground of varying k or μ between two points.
+/// A stretch of unloaded ground with varying subgrade modulus k or shear-layer stiffness μ.
 struct VaryingGround<R> {
-    /// Relation between the settlements and the forces at the two points.
+    /// Relation between the settlements and the forces at the left and the right end of this stretch of ground.
     link: TwoPort<R>,
-    /// Coefficients of the powers of s ∈ \[−1, 1\] in two settlement shapes of the ground surface. The first shape has
-    /// the settlement 1 at the left point and 0 at the right point, and the second shape 0 at the left point and 1 at
-    /// the right point.
+    /// Coefficients of the powers of s ∈ \[−1, 1\] in two settlement shapes of the ground surface. The first shape
+    /// has the settlement 1 at the left end of the stretch and 0 at its right end. The second shape has the
+    /// settlement 0 at the left end and 1 at the right end.
     surfaces: [Coefficients<R>; 2],
 }
 
@@ -96,10 +96,10 @@ impl<R: Real> SpanPart<R> {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
-    /// Computes ∫π φ dx over the part of the cell, divided by half the length of the part. The pressure π, with the
-    /// coefficients `pi`, would close the span. φ is one of two settlement shapes of unloaded ground. The first shape
-    /// has the settlement 1 at the left end of the part and 0 at the right end, and the second shape 0 at the left end
-    /// and 1 at the right end.
+    /// Computes the integral ∫π φ ds over this part of a cell for two settlement shapes φ of unloaded ground, with
+    /// the local coordinate s from −1 to 1 at the ends of the part. π, with the coefficients `pi`, is the pressure
+    /// that the ground would have in contact. The first shape has the settlement 1 at the left end of the part and
+    /// 0 at the right end, and the second shape 0 at the left end and 1 at the right end.
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
@@ -143,9 +143,10 @@ fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// Computes the forces on the ground at both ends of a span of ground out of contact. Each end is an edge of a
-/// contact zone. `link` is the force–displacement relation of the span. If an entry of `ends` is `None`, the span
-/// instead includes the ground beyond this end of the `GroundRun`.
+/// Computes the forces on the ground at the left and the right end of a span of ground out of contact. `ends`
+/// contains the contact edges at these ends, and `link` is the force–displacement relation of the span. If an entry
+/// of `ends` is `None`, no contact zone adjoins this end, and the span includes the ground beyond this end of the
+/// `GroundRun`.
 pub(crate) fn fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -177,9 +178,9 @@ pub(crate) fn bonded_fluxes<R: Real>(
     }
 }
 
-/// If the concentrated force at an end of a span causes a kink of the beam, returns this end as a point of the
-/// adjacent cell inside the span. Otherwise, returns `point` unchanged. If the obstacle has a corner at the end, the
-/// forces of [`end_forces`] already contain the point force of this corner.
+/// If the concentrated force at the end `point` of a span kinks the beam, returns this end as a point of the
+/// adjacent cell inside the span. Otherwise, returns `point` unchanged. At a corner of the obstacle, `point` is
+/// also unchanged, because the forces of [`end_forces`] already contain the point force of the corner.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {

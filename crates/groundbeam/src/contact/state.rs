@@ -23,8 +23,8 @@ pub(crate) struct ContactState {
     /// Contact zones on the mesh. If the ground acts at nodes, every node of a zone is in contact.
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
-    /// Number of elements of the discrete problem (5.5), in which the ground acts only at nodes; `None` if the ground
-    /// pressure is distributed.
+    /// Number of elements of the discrete problem (5.5) of Kikuchi's paper, in which the ground acts only at nodes;
+    /// `None` if the ground pressure is distributed.
     pub nodal_elements: Option<usize>,
     /// Ground surface and point forces of a problem with ground forces at the nodes. `None` if the ground pressure is
     /// distributed; the surface is then computed from the deflection and `zones`.
@@ -92,8 +92,8 @@ impl Unconverged {
     pub const SINGULAR: Unconverged = Unconverged { iterations: 0, why: NotConverged::Singular };
 }
 
-/// Returns the error of an iteration whose contact edges have not converged. `moved` is the last move of the edges,
-/// relative to the length of the beam.
+/// Returns the error value for an iteration whose contact edges have not converged. `moved` is the largest move of
+/// an edge in the last step, relative to the length of the beam.
 pub(crate) fn edges_not_converged(iterations: usize, moved: f64) -> Unconverged {
     Unconverged { iterations, why: NotConverged::Edges(moved) }
 }

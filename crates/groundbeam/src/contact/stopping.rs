@@ -8,15 +8,16 @@
 /// the largest pressure at edges on Winkler ground.
 pub(crate) const CONVERGED_MOVE: f64 = 1e-15;
 
-/// Largest move of a contact edge in one step that may be only rounding error. The iteration has converged if no edge
-/// moves farther than this in a step, and the largest move in the preceding step was at most four times the largest
-/// move in this step. If edge Newton moves no edge farther than this, the contact set is computed from the obstacle
-/// problem instead.
+/// Moves of the contact edges up to this fraction of the beam's length may be only rounding error. The iteration
+/// has converged if the largest move in a step is within this limit and at least a quarter of the largest move in
+/// the preceding step. If Newton's method for the edges moves no edge farther than this limit, the obstacle problem
+/// determines the contact set instead.
 pub(crate) const ROUNDING_MOVE: f64 = 1e-12;
 
-/// Largest move of a contact edge in one step that counts as rounding error, if [`STALE_STEPS`] consecutive steps made
-/// no progress. Progress halves the last move, or below this limit the smallest move so far. Model 774 of the random
-/// family Hard needs this criterion.
+/// Largest move of a contact edge, relative to the length of the beam, that counts as rounding error after
+/// [`STALE_STEPS`] consecutive steps without progress. A step makes progress if its move is at most half of the
+/// preceding move. A move within this limit must instead be at most half of the smallest move so far.
+/// Model 774 of the random family Hard needs this criterion.
 pub(crate) const JITTER: f64 = 1e-7;
 
 /// Distance between beam and ground, in units in the last place of the deflection, below which rounding error decides
@@ -30,20 +31,20 @@ pub(crate) const ULPS: f64 = 8.0;
 /// value above 1.1e-8.
 pub(crate) const BLIND: f64 = 2e-8;
 
-/// Largest distance between the edges of two contact sets that count as equal, in the test whether the iteration
-/// returns to an earlier contact set.
+/// Two contact sets count as equal if no edge differs by more than this fraction of the beam's length. The
+/// iteration uses this limit to detect a return to an earlier contact set.
 pub(crate) const SAME: f64 = 1e-9;
 
 /// Number of consecutive steps without progress after which the iteration tests whether only rounding error moves the
 /// contact edges.
 pub(crate) const STALE_STEPS: usize = 4;
 
-/// Largest move of the contact edges after which the next step may use edge Newton. This move must also be the smallest
-/// so far, and the step must have no stabilising springs.
+/// A step may move the contact edges by Newton's method if the preceding step moved them by less than this fraction
+/// of the beam's length, and no earlier step moved them less. The beam must also need no stabilising springs.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// Largest move of a contact edge in one step of edge Newton, relative to the length of the contact zone and to the
-/// length of the adjacent ground out of contact.
+/// Largest move of a contact edge in one Newton step of the edges, as a fraction of the length of the contact zone
+/// or of the adjacent ground out of contact, whichever is shorter.
 pub(crate) const NEAR_EDGE: f64 = 0.25;
 
 /// Limit on the number of steps of a contact iteration. The first `always` steps are always allowed. Further steps,
@@ -61,16 +62,18 @@ impl StepLimit {
     }
 }
 
-/// Limit on the Newton steps of a contact iteration at the shortest step of the continuation in the beam's stiffness,
-/// and of the iteration that starts from the result of this continuation. A short gap between two contact zones closes slowly under the line
-/// search. The random models Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839
-/// the number of steps times the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300
-/// steps take a minute and do not converge.
+/// Limit on the number of Newton steps of a contact iteration that starts from the result of the continuation in
+/// the beam's stiffness. It also applies within the continuation, to its first beam and to its shortest step. A
+/// short gap between two contact zones closes slowly under the line search. The random models Shearing 6302 and
+/// Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839 the number of steps times the number of
+/// cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300 steps take a minute and do not
+/// converge.
 pub(crate) const MOST_STEPS: StepLimit = StepLimit { always: 60, most: 400, work: 100_000 };
 
-/// Limit on the Newton steps of a contact iteration that starts from the initial guess or from the contact of a
-/// neighbouring model, and of the line search in the continuation above its shortest step. On the random models of the family Hard, a limit of 8 steps needs 7 % more solutions of the
-/// obstacle problem, and a limit of 32 steps needs 3 % fewer.
+/// Limit on the number of Newton steps of a contact iteration that starts from the initial guess or from the
+/// contact of a similar model. It also applies to the iterations with a line search within the continuation, except
+/// at its shortest step. On the random models of the family Hard, 7 % more obstacle problems are solved with a
+/// limit of 8 steps, and 3 % fewer with a limit of 32 steps.
 pub(crate) const FEW_STEPS: StepLimit = StepLimit { always: 16, most: 16, work: 0 };
 
 /// Smallest and largest stiffness of the stabilising springs, relative to the stiffness of the ground, and the factor
@@ -124,13 +127,16 @@ pub(crate) const SEARCHED_STEP: f64 = 1e-6;
 /// 1e-6, the solver finds no solution of the random model Extreme 1393.
 pub(crate) const SHORTEST_STEP: f64 = 1e-7;
 
-/// Maximum number of stiffnesses for which the continuation solves the beam, including solves that do not converge.
-/// Without this limit, a model with soft hinges takes minutes.
+/// Maximum number of steps of the continuation, including steps that do not converge. Each step solves the beam
+/// with another bending stiffness. Without this limit, a model with soft hinges takes minutes.
 pub(crate) const MOST_BEAMS: usize = 500;
 
-/// Limit on the Newton steps of the corrector in the continuation, and the move of the contact edges below which the
-/// corrector has converged.
+/// Maximum number of Newton steps of the corrector, which corrects the predicted contact edges in each step of the
+/// continuation.
 pub(crate) const CORRECTOR_STEPS: usize = 12;
+
+/// The corrector of the continuation has converged if its last step moves the contact edges by at most this fraction of
+/// the beam's length.
 pub(crate) const ROUGH: f64 = 1e-6;
 
 /// Number of levels of the continuation. The elements of each level are a third as long as those of the preceding

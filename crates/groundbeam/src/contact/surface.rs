@@ -76,8 +76,8 @@ impl<R: Real> Surface<R> {
     fn add_pasternak(&mut self, w: &Deflection<R>, run: &GroundRun<R>, zones: &[MeshZone]) {
         let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
         let mut left: Option<BeamPoint> = None;
-        // The two-ports of the open ground on both sides of a zone give the forces on the ground at the ends of the
-        // zone.
+        // On each side of a contact zone, the two-port of the ground out of contact gives the force on the ground
+        // at the end of the zone.
         for (i, zone) in zones.iter().enumerate() {
             let before = self.open(w, run, left, Some(zone.from));
             let last = i + 1 == zones.len();
@@ -120,8 +120,8 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Appends the parts of the ground out of contact between two points to the parts of the surface. Returns
-    /// the force–displacement relation of this ground.
+    /// Adds the surface of the ground between two points to `self.parts`. This ground is out of contact with the
+    /// beam. Returns the force–displacement relation of this ground.
     fn open(
         &mut self,
         w: &Deflection<R>,
@@ -142,8 +142,8 @@ impl<R: Real> Surface<R> {
         whole
     }
 
-    /// Returns the parts of the surface. If EI or the ground varies, each part is divided into parts on which short
-    /// power series are sufficient.
+    /// Returns the parts of the surface. If EI or the ground varies, each part is divided into pieces on which
+    /// short power series are sufficient.
     pub fn short_parts(&self, mesh: &Mesh<R>) -> Vec<SurfacePart<R>> {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
@@ -162,8 +162,8 @@ impl<R: Real> Surface<R> {
     }
 }
 
-/// Appends a part of the surface. If EI or the ground varies, the part is divided into parts on which short power
-/// series are sufficient.
+/// Adds `part`, a part of the ground surface, to the list `parts`. If EI or the ground varies along it, adds
+/// shorter pieces of it instead, on which short power series are sufficient.
 pub(crate) fn short_parts_of<R: Real>(
     mesh: &Mesh<R>,
     part: &SurfacePart<R>,

@@ -1,8 +1,9 @@
-//! Tests whether two contact sets of one deflection differ only by rounding error.
+//! Tests whether two contact sets that belong to the same deflection differ only by rounding error.
 //!
-//! Newton's method reduces the moves of the contact edges to rounding error. Two trial contacts of one deflection can
-//! then still differ on short intervals. On these intervals, the distance between beam and ground has the size of the
-//! rounding error of the deflection. The deflection then does not determine whether beam and ground touch.
+//! At the end of Newton's method, the contact edges move only by rounding error. Two trial contact sets for the
+//! same deflection can then still differ on short intervals. On these intervals, the distance between beam and
+//! ground is as small as the rounding error of the deflection. The deflection then does not determine whether beam
+//! and ground touch.
 
 use crate::contact::intervals::{Interval, covers, differences, positions};
 use crate::contact::state::ContactState;

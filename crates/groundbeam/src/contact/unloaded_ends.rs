@@ -29,9 +29,9 @@ pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     (to - from < last).then(|| [nodes[from], nodes[to]])
 }
 
-/// Returns whether the part of the beam between an end and a hinge has no load and no support. If there is a shear
-/// layer, the ground under the part must also have no segments. A force or a pinned support at the hinge acts on the
-/// rest of the beam.
+/// Returns whether the part of the beam between an end and a hinge has no load and no support. If the ground has a
+/// shear layer, no segment with other ground properties may lie under the part. A force or a pinned support at the
+/// hinge is allowed, because it acts on the rest of the beam.
 fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let [from, to] = [end.min(hinge), end.max(hinge)];
     let reaches = |ends: [f64; 2]| ends[0] < to && from < ends[1];
@@ -53,7 +53,8 @@ fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     !(loaded || held || changes)
 }
 
-/// Solves the beam without its unloaded end parts by `solve`, and rotates the parts until they are clear of the ground.
+/// Solves the beam without its unloaded end parts by a call of `solve`. Then rotates these parts until they are
+/// clear of the ground.
 pub(crate) fn solve_stretch(
     model: &Model,
     [from, to]: Interval,

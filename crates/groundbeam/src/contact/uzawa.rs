@@ -208,9 +208,9 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
 }
 
 /// Computes the relative residual of the contact condition (5.10) of Kikuchi's paper: the largest change of a nodal
-/// pressure in a sweep, divided by the largest pressure before or after the sweep. If the relaxation parameter ρᵢ of
-/// node i is below 1/Gᵢᵢ, the change at node i is first divided by ρᵢ Gᵢᵢ, where Gᵢᵢ is the flexibility of the ground
-/// at this node.
+/// pressure in a sweep, divided by the largest pressure before or after the sweep. A small relaxation parameter ρᵢ <
+/// 1/Gᵢᵢ, with the flexibility Gᵢᵢ of the ground at node i, makes the change at this node small. This change is
+/// therefore divided by ρᵢ Gᵢᵢ.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = before.iter().chain(next).fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
@@ -299,7 +299,7 @@ impl<'a> FreeBeam<'a> {
         chain.solve().unwrap_or(nothing)
     }
 
-    /// Computes the deflection w at the nodes by (5.16), without the free rigid motions.
+    /// Computes the deflection w at the nodes by (5.16) of Kikuchi's paper, without the free rigid motions.
     fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
         let shapes = self.shapes(pressure);
         let mut w: Vec<f64> = shapes.iter().map(|v| v[0]).collect();

@@ -9,7 +9,7 @@ use crate::numeric::dual::Dual;
 use std::collections::BTreeSet;
 
 impl Equilibrium<'_> {
-    /// Returns the elements whose unknowns affect an output while the data of the model are fixed.
+    /// Returns the elements whose unknowns occur in the formula of an output.
     fn reads(&self, of: &Read) -> BTreeSet<usize> {
         let (frame, mut read) = (self.frame, BTreeSet::new());
         let cells = &frame.mesh.cells;
@@ -31,8 +31,8 @@ impl Equilibrium<'_> {
             Read::Support { number, .. } => add(frame.model.supports[number].at),
         }
         // The settlement of the ground between two contact zones depends only on w at the edges of the zones. If the
-        // zones are close together, the concentrated forces at these edges are computed by an integral between the
-        // edges. The computed forces then depend on w along the whole distance.
+        // zones are close together, the concentrated contact forces at these edges are computed as integrals over the
+        // ground between the edges. The integrand depends on w at all points between the edges.
         for Span { ends, .. } in &self.spans {
             let at = |end: BeamPoint| cells[end.cell].global(end.s);
             let from = ends[0].map_or(f64::NEG_INFINITY, at);
@@ -52,7 +52,7 @@ impl Equilibrium<'_> {
         read
     }
 
-    /// Returns the elements whose unknowns affect at least one of the outputs while the data of the model are fixed.
+    /// Returns the elements whose unknowns occur in the formula of at least one output.
     pub fn read_by(&self, readings: &[Reading]) -> BTreeSet<usize> {
         readings.iter().flat_map(|reading| self.reads(&reading.of)).collect()
     }

@@ -40,8 +40,8 @@ impl<const N: usize> Linear<'_, N> {
         }
         energy += (beam_form(mesh, own, own) + ground_work(mesh, self.zones(), &psi, &psi)) * 0.5;
         energy -= work_of_loads(mesh, own);
-        // With the load q on the ground and the free-field settlement u₀, the energy of the ground is the energy of
-        // the displacement u − u₀, minus ½∫q u₀.
+        // Without the beam, the load q on the ground causes the free-field settlement u₀. The potential energy of the
+        // ground with the settlement u is the elastic energy for the settlement u − u₀, minus the constant ½∫q u₀ dx.
         if self.frame.model.has_ground_loads() {
             let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &mesh.cells);
             energy -= self.on_line(work) * 0.5;
@@ -101,8 +101,8 @@ impl<const N: usize> Linear<'_, N> {
                 -moment * mean(&|side| solution.at(x, side).rotation)
             }
             Motion::Curvature(curvature) => curvature * mean(&|side| solution.at(x, side).moment),
-            // If the end of a distributed force moves, the derivatives of the model contain a point force at this end.
-            // The work of this point force is already part of the derivative of the energy.
+            // The derivative of a distributed force with respect to the position of its end contains a point force at
+            // this end. The work of this point force is already included in `energy`.
             Motion::ForcePerLength(_) => 0.0,
         }
     }

@@ -16,20 +16,20 @@ use crate::mesh::open_ground::open_links;
 use crate::numeric::polynomial::{TERMS, derivative};
 use crate::numeric::real::Real;
 
-/// The equilibrium of the beam bonded to the ground in its contact zones, without derivatives with respect to the
-/// parameters.
+/// Elements, unknowns and linear equations of the beam bonded to the ground on its contact zones. All values are plain
+/// numbers without derivatives with respect to the parameters.
 #[derive(Debug)]
 pub(super) struct Equilibrium<'a> {
     pub frame: &'a Frame<'a>,
     pub elements: Vec<Element>,
     /// The four unknowns of each element.
     pub shapes: Vec<[f64; 4]>,
-    /// Power series coefficients of the deflection w in each cell of the mesh that [`Frame::series`] returns.
+    /// Power series coefficients of the deflection w in each cell. [`Frame::series`] returns the mesh of these cells.
     pub deflection: Vec<f64>,
-    /// Power series coefficients of the rotation φ of the cross-sections in each cell of the mesh that
-    /// [`Frame::series`] returns; empty if the beam has no shear deformation.
+    /// Power series coefficients of the rotation φ of the cross-sections, in the same cells as `deflection`; empty if
+    /// the beam has no shear deformation.
     pub rotation: Vec<f64>,
-    /// Spans of open ground on the mesh of elements.
+    /// Spans of ground without contact. Their ends are points of the cells of `frame.mesh`.
     pub spans: Vec<Span<f64>>,
     /// Linear equations of the bonded beam with all loads zero.
     chain: Chain,
@@ -93,7 +93,7 @@ impl<'a> Equilibrium<'a> {
         loads.map(under).collect()
     }
 
-    /// Returns w at a node, and the rotations on the left and right side of the node.
+    /// Returns the deflection w at a node, and the rotations just left and just right of the node.
     pub fn at_node(&self, node: usize) -> [f64; 3] {
         let cells = [node.saturating_sub(1), node.min(self.shapes.len() - 1)];
         let at = |i: usize, row: [f64; 4]| (0..4).map(|j| row[j] * self.shapes[i][j]).sum::<f64>();
@@ -106,7 +106,7 @@ impl<'a> Equilibrium<'a> {
     }
 }
 
-/// Open ground between two contact zones, or between a zone and the ground outside the beam.
+/// Ground without contact between two contact zones, or between a contact zone and the ground outside the beam.
 #[derive(Debug)]
 pub(super) struct Span<R> {
     /// Left and right end of the span, each at the edge of a contact zone. An end is `None` if no contact zone follows
@@ -119,7 +119,7 @@ pub(super) struct Span<R> {
     pub whole: TwoPort<R>,
     /// Ground displacement u minus free-field settlement u₀ at both ends of the span.
     pub held: [R; 2],
-    /// Forces on the ground at both ends of the span.
+    /// Downward forces on the ground at both ends of the span, which cause the displacements `held`.
     pub fluxes: [R; 2],
 }
 
@@ -140,8 +140,9 @@ impl<R: Real> Span<R> {
     }
 }
 
-/// Computes the coefficients of w on a part of an element's cell, and the coefficients of φ if the beam has shear
-/// deformation. `v` contains the four unknowns of the element.
+/// Computes the power series coefficients of the deflection w on the part `part` of an element. If the beam has shear
+/// deformation, also computes the coefficients of the rotation φ of the cross-sections. `v` contains the four unknowns
+/// of the element.
 pub(super) fn curves<R: Real>(
     [cell, part]: [&Cell<R>; 2],
     exact: &ExactElement<R>,

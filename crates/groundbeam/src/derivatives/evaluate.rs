@@ -1,4 +1,4 @@
-//! Evaluates outputs of the linearised problem, and their derivatives with respect to parameters, from its data and unknowns.
+//! Computes outputs and their derivatives with respect to parameters from the data and unknowns of the linearised problem.
 
 use super::equilibrium::Span;
 use super::linear::Linear;
@@ -166,7 +166,8 @@ impl<const N: usize> Linear<'_, N> {
     }
 
     /// Computes μψ' at an end of a contact zone, where ψ is the obstacle and μ the stiffness of the shear layer. If a
-    /// load moves, the slope w' in the linearised problem jumps at the load; this jump is excluded.
+    /// load at this end moves, an imposed jump of w' represents this move in the linearised problem. The result does
+    /// not contain the imposed jump.
     fn flux(&self, point: BeamPoint) -> Dual<N> {
         let x = self.w().position(point);
         let steps = self.moved_at(x, |steps| steps.slope);

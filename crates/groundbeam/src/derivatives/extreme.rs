@@ -16,13 +16,14 @@ pub(super) struct Place {
     pub value: f64,
     /// Derivative of the field with respect to x at the extreme; 0 if the field is stationary.
     pub slope: f64,
-    /// Whether the value is independent of the parameters, such as the gap in contact or the pressure outside contact.
+    /// Whether the value is the same for all values of the parameters. Examples are the zero gap in contact and the
+    /// zero pressure outside contact.
     pub always: bool,
-    /// Another position at which the field has an extreme of the same size.
+    /// Another position at which the field has the same extreme value.
     pub rival: Option<f64>,
 }
 
-/// Relative difference below which another extreme counts as equally large.
+/// Two extreme values of a field count as equal if their relative difference is below this bound.
 const EQUAL_EXTREME: f64 = 1e-7;
 
 impl Solution {

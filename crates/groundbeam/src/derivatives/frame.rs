@@ -1,9 +1,10 @@
 //! Builds the linearised problem of a solution: cells, nodes and zones of the beam bonded to the ground on its contact zones.
 //!
-//! If a contact edge moves, the energy changes only to third order, because no point force acts at the edge and the
-//! pressure is finite. To first order, a change of the model therefore changes w as if beam and ground were bonded on
-//! the contact zones and nowhere else. The bonded problem has a small concentrated force at the edge. This force
-//! equals the integral of the pressure over the strip by which the edge moves.
+//! If a contact edge moves by a small distance, the energy changes only by a term of third order in this distance,
+//! because no point force acts at the edge and the pressure is finite. To first order, a change of the model therefore
+//! changes w as if beam and ground were bonded on the contact zones and nowhere else. The bonded problem has a small
+//! concentrated force at the edge. This force equals the integral of the pressure over the strip by which the edge
+//! moves.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, zone_kind_of};
@@ -125,8 +126,8 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Whether a contact edge cannot move. An edge cannot move at a position that can carry a point force, at an end
-    /// of Winkler ground, and at a point contact.
+    /// Whether a contact edge cannot move. An edge cannot move where a concentrated contact force can act, at a point
+    /// contact, and at an end of a stretch of Winkler ground.
     pub fn stays(&self, zone: usize, side: Side) -> bool {
         let (spot, cells) = (self.end_of(zone, side), &self.mesh.cells);
         if self.zones[zone].from == self.zones[zone].to {

@@ -1,9 +1,9 @@
-//! Builds the linearised problem of the bonded beam: its data and unknowns are dual numbers, which contain derivatives.
+//! Builds the linearised problem of the bonded beam from dual numbers, which contain derivatives.
 //!
-//! The linear equations for a parameter have the derivatives of the residual with respect to this parameter as
-//! right-hand side, with the unknowns fixed. The adjoint equations for an output have the derivatives of the output
-//! with respect to the unknowns as right-hand side, with the parameters fixed. The stiffness matrix is symmetric, so
-//! the derivatives of the outputs follow either from one solve for each parameter or from one solve for each output.
+//! In the linear equations for a parameter, the right-hand side is the derivative of the residual with respect to this
+//! parameter at fixed unknowns. In the adjoint equations for an output, the right-hand side is the derivative of the
+//! output with respect to the unknowns at fixed parameters. The stiffness matrix is symmetric, so the derivatives of
+//! the outputs follow either from one solve for each parameter or from one solve for each output.
 
 use super::equilibrium::{Equilibrium, Loads, Span, curves};
 use super::frame::Frame;
@@ -49,8 +49,8 @@ pub(super) struct Linear<'a, const N: usize> {
     /// Jumps between nodes and element ends: the unknowns of an element minus their values computed from the
     /// displacements of its nodes.
     jumps: Loads<Dual<N>>,
-    /// For each load whose position is a parameter: the index of the parameter, and the derivatives of the jumps at the
-    /// load with respect to its position.
+    /// For each load whose position is a parameter: the index of this parameter, and the derivatives of the moment and
+    /// of the jumps of deflection, rotation, slope and settlement at the load with respect to the position of the load.
     moved: Vec<(usize, Steps)>,
 }
 
@@ -160,7 +160,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.exact[i].as_ref().map_or_else(still, |exact| exact.element)
     }
 
-    /// Returns the unknowns of an element, including the jumps between its nodes and its ends.
+    /// Returns the unknowns of an element. They include the jumps by which the deflections and rotations of the
+    /// element's ends differ from those of its nodes.
     pub fn own_shape(&self, i: usize) -> [Dual<N>; 4] {
         let mut own = self.shapes[i];
         for (_, jump) in self.jumps.iter().filter(|(cell, _)| *cell == i) {
@@ -238,8 +239,8 @@ impl<'a, const N: usize> Linear<'a, N> {
     }
 
     /// Computes the external force and moment on one end of an element. They come from the loads and springs of its
-    /// node, from a hinge at the node, from the free-field settlement of the ground, and from a load at the node whose
-    /// position is a parameter. The loads and springs of an inner node act on the element on its right.
+    /// node, from a hinge at the node, from the free-field settlement of the ground, and from a load at the node if the
+    /// position of this load is a parameter. The loads and springs of an inner node act on the element on its right.
     pub fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
         let j = i + usize::from(right);
         let (node, cell) = (&self.elements.nodes[j], &self.elements.cells[i]);
@@ -256,9 +257,9 @@ impl<'a, const N: usize> Linear<'a, N> {
             moment += hinge * (if right { after - before } else { before - after });
         }
         if self.frame.touch[i] == ZoneKind::Contact && cell.has_free_field() {
-            // In contact, the element has the load q on the ground in place of the free-field settlement u₀ that q
-            // causes, with q = k u₀ − (μu₀′)′. Integration by parts of (μu₀′)′ adds the forces ±μu₀′ at the ends of the
-            // cell.
+            // In contact, the equations of the element contain the load q on the ground instead of the free-field
+            // settlement u₀ caused by q, where q = k u₀ − (μu₀′)′. Integration of (μu₀′)′ by parts adds the forces
+            // ±μu₀′ at the ends of the element.
             let flux = cell.shear_layer * cell.free_field_at(if right { 1.0 } else { -1.0 })[1];
             force += if right { flux } else { -flux };
         }
@@ -299,8 +300,9 @@ impl<'a, const N: usize> Linear<'a, N> {
         (span.held, span.fluxes) = (held, fluxes);
     }
 
-    /// Computes the jump of the ground settlement at one end of a stretch of ground without contact. The jump is the
-    /// settlement at this end minus the settlement at the node at x. It arises if a load at this node moves.
+    /// Computes the ground settlement at one end of a stretch without contact, minus the settlement of the node at x.
+    /// The value of this difference is 0, but its derivative with respect to the position of a load at this node may
+    /// differ from 0.
     fn drifted(&self, x: f64, end: usize) -> Dual<N> {
         let is_end = |steps: &Steps| usize::from(steps.spot.s > 0.0) == end;
         self.moved_at(x, |steps| if is_end(steps) { steps.drift } else { 0.0 })

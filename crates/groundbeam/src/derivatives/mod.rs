@@ -1,4 +1,4 @@
-//! Computes exact derivatives of results with respect to model data from the contact problem linearised at its solution.
+//! Computes exact derivatives of results with respect to model data by linearising the contact problem at its solution.
 //!
 //! The equations are generic over the number type, so dual numbers give their derivatives. In the linear problem, the
 //! beam is bonded to the ground on its contact zones. This problem is solved for each parameter or for each output,
@@ -59,7 +59,7 @@ pub enum OneSided {
         /// The position \[m\].
         at: f64,
     },
-    /// The field has another extreme of the same size.
+    /// The field has the same extreme value at another position.
     Rival {
         /// Position \[m\] of a second extreme, whose value equals that of the output.
         at: f64,
@@ -67,7 +67,7 @@ pub enum OneSided {
 }
 
 impl OneSided {
-    /// Returns the reason as text. `unit` is written after each position.
+    /// Returns a text that says why the derivative holds in one direction only. `unit` is written after each position.
     pub fn in_words(&self, unit: &str) -> String {
         match *self {
             OneSided::Contact(Nearest { condition, at, margin }) => {
@@ -99,7 +99,7 @@ pub enum NotDifferentiable {
     NotUnique,
     /// The model does not have this parameter, or the parameter cannot be changed alone.
     NoSuchParameter(Parameter),
-    /// The solution does not have the output.
+    /// The solution does not have the requested output.
     NoSuchOutput,
     /// The derivative with respect to μ does not exist at μ = 0, because even a weak shear layer changes the type of
     /// the ground.

@@ -1,9 +1,9 @@
-//! Represents the derivative with respect to the position of a load by a moment and by jumps of w and φ at the load's node.
+//! Represents the derivative of a solution with respect to a load's position by a moment and jumps at the node of the load.
 //!
 //! If a load moves to the right by δ, the state on the left of the load extends by the length δ. In the cell on the
-//! right of the load, w, φ and M then change by δ times the jumps of their slopes. Cells and nodes keep their
-//! positions, so cell lengths have no derivatives. No cell of length δ is needed between the load and a support or
-//! hinge at its original position.
+//! right of the load, the deflection w, the rotation φ and the moment M then change by δ times the jumps of their
+//! slopes. Cells and nodes keep their positions, so cell lengths have no derivatives. No cell of length δ is needed
+//! between the load and a support or hinge at its original position.
 
 use super::frame::Frame;
 use super::tangent::{Motion, Moved};
@@ -27,11 +27,11 @@ pub(super) struct Steps {
     /// Derivatives of the jumps of the deflection w and the rotation φ with respect to the position of the load. A jump
     /// is the value at the end of the element minus the value at its node.
     pub jump: [f64; 2],
-    /// Derivative of the jump of w' with respect to the position of the load. The jump is the slope at the end of the
-    /// element minus the true slope of the beam at this position.
+    /// Derivative of the imposed jump of the slope w' with respect to the position of the load. The jump is w' at the
+    /// end of the element minus w' at its node.
     pub slope: f64,
-    /// Derivative of the jump of the settlement of ground without contact with respect to the position of the load. The
-    /// jump is the settlement at the end `spot` of the cell minus the settlement of the node at this end.
+    /// Derivative of the jump of the ground settlement with respect to the position of the load, for ground without
+    /// contact. The jump is the settlement at the end of the cell minus the settlement at its node.
     pub drift: f64,
 }
 
@@ -59,9 +59,9 @@ impl Frame<'_> {
             (Motion::Moment(moment), _) => steps.jump[1] = sign * moment / self.stiffness_at(spot),
             (Motion::MomentPerLength(moment), _) => steps.moment = moment,
             (Motion::Curvature(curvature), _) => steps.jump[1] = sign * curvature,
-            // If the end of a distributed force moves, a point force replaces the force on the strip between its old
-            // and its new end. This point force causes a kink of the deflection that the beam does not have. The jump
-            // of w' cancels this kink.
+            // If the end of a distributed force moves, a point force replaces the force on the strip between the old
+            // and the new end. On a beam with shear deformation, a point force causes a kink of w, but the distributed
+            // force does not. An imposed jump of w' therefore cancels the kink.
             (Motion::ForcePerLength(force), Some([_, whole])) => {
                 steps.slope = -sign * force / whole
             }
@@ -72,8 +72,9 @@ impl Frame<'_> {
         steps
     }
 
-    /// Returns the shear stiffness S and the sum S + N at the end of a cell. The tension N is P out of contact and P +
-    /// μ in contact. Returns `None` if the beam has no shear deformation.
+    /// Returns the shear stiffness S and the sum S + N at the end of a cell. The tension N is the axial force P out of
+    /// contact, and P + μ in contact, with the stiffness μ of the shear layer. Returns `None` if the beam has no shear
+    /// deformation.
     fn shear_and_total_stiffness(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let shear = value(&cell.beam_shear?, spot.s);
@@ -95,8 +96,8 @@ impl Frame<'_> {
         piece.settlement(s, fields.deflection, fields.slope)[1]
     }
 
-    /// Computes the mean of w' on both sides of a moving point force. The mean is w' on the given side, plus or minus
-    /// half of the kink at the force.
+    /// Computes the mean of the slopes w' just left and just right of a moving point force: w' on the given side, plus
+    /// or minus half of the jump of w' at the force.
     pub fn slope_with_half_kink(&self, x: f64, side: Side, force: f64) -> f64 {
         let spot = self.spot(x, side);
         let half =
@@ -165,11 +166,12 @@ impl Frame<'_> {
         jumps || turns && self.mesh.nodes[self.mesh.node_at(x)].hinge.is_some()
     }
 
-    /// Order of the lowest derivative of a field that jumps at a moving load: 0 if the field itself jumps, negative if even
-    /// an integral of the field would jump.
+    /// A moving load causes a jump of a field, or of one of its derivatives with respect to x. Returns the order of the
+    /// lowest derivative that jumps: 0 if the field itself jumps, negative if even an integral of the field jumps.
     fn order_of_jump(&self, field: Field, moved: &Moved) -> i32 {
         let shears = self.shears_at(moved.x).contains(&true);
-        // The orders of the lowest derivatives of w and of φ that jump at the load.
+        // Orders of the lowest derivatives with respect to x that jump at the load, for the deflection w and for the
+        // integral of the rotation φ.
         let [by_w, by_rotation] = match moved.what {
             Motion::Force(_) => [if shears { 1 } else { 3 }, 3],
             Motion::Moment(_) | Motion::Curvature(_) => [2, 2],

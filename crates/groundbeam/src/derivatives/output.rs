@@ -31,12 +31,12 @@ pub enum Output {
     PotentialEnergy,
 }
 
-/// The value of an output, and the way in which its derivatives are computed.
+/// The value of an output, and the way in which its derivatives with respect to the parameters are computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reading {
     pub value: f64,
     pub of: Read,
-    /// Another position at which the field has an extreme of the same size.
+    /// Another position at which the field has the same extreme value.
     pub rival: Option<f64>,
 }
 
@@ -83,7 +83,7 @@ pub(super) enum Follows {
     /// The slope of the field is zero at the position of its extreme value. A small shift of this position has no
     /// first-order effect on the value.
     Nothing,
-    /// The position is a contact edge, at a kink of the field.
+    /// The field has its extreme value at a contact edge, where it has a kink.
     Edge { zone: usize, side: Side, slope: f64 },
     /// The position is that of a load. No other part of the model has the same position.
     Load { slope: f64 },
@@ -177,8 +177,9 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // A support, a hinge or another load may have the position of the load. If the load moves away from it,
-                // the field takes new values between the two positions, and its extreme value may occur there.
+                // A support, a hinge or another load may stand at the position of the load. If the load moves away from
+                // this position, the field takes new values between the position and the load, and one of them may be
+                // the extreme value.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

@@ -20,9 +20,10 @@ pub enum Property {
 /// The part of the beam or of the ground on which a parameter changes a property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Domain {
-    /// The whole beam or ground: all segments and the part outside the segments.
+    /// The whole beam or the whole ground, inside and outside of all segments.
     Whole,
-    /// The part outside all segments, with the value of the beam or foundation itself.
+    /// The part of the beam or of the ground outside all segments, where the property has the value given for the beam
+    /// or the foundation itself.
     OutsideSegments,
     /// One segment, counted from 0. A ground segment at an end of the beam continues outside the beam.
     Segment(usize),
@@ -133,8 +134,8 @@ impl Parameter {
         Some(())
     }
 
-    /// Sets a parameter that is neither a stiffness of the beam or the ground nor a factor. Returns `None` for all
-    /// other parameters.
+    /// Sets the axial force, or a number of a load, support, hinge or gap point. Returns `None` for all other
+    /// parameters, and if the model does not have the parameter.
     pub(super) fn assign_number(self, model: &mut Model, to: f64) -> Option<()> {
         match self {
             Parameter::AxialForce => model.beam.axial_force = to,
@@ -183,8 +184,8 @@ pub(super) fn courses(
     own.map(Profile::constant).into_iter().chain(segments)
 }
 
-/// Applies `to` to each profile of a property (its variation along x, such as EI(x)) on a domain of the model, in the
-/// order of [`courses`].
+/// Applies `to` to each profile of a property in a domain of the beam or ground, in the order of [`courses`]. A profile
+/// is the variation of the property along x, such as EI(x).
 pub(super) fn change(
     model: &mut Model,
     property: Property,

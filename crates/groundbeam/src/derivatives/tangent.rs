@@ -1,4 +1,4 @@
-//! Computes the derivatives of a model's numbers with respect to one parameter.
+//! Computes the derivatives of a model's input values with respect to one parameter.
 //!
 //! The derivatives are stored as a model with the same parts at the same positions. Each number of this model is the
 //! derivative of the same number in the original model. Positions are fixed. A moving load is represented by a load
@@ -7,7 +7,7 @@
 use super::parameter::{Domain, LoadNumber, Parameter, Property, change, courses, set_load};
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 
-/// The derivatives of a model's numbers with respect to one parameter.
+/// The derivatives of a model's input values with respect to one parameter.
 #[derive(Debug, Clone)]
 pub(super) struct Tangent {
     pub model: Model,
@@ -29,9 +29,10 @@ pub(super) struct Moved {
 /// Kind and size of the load that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Motion {
-    /// A point force. If it moves by δ, M changes by δ times the jump of V, and w by δ times the jump of w'.
+    /// A point force. If it moves by δ, M on its right changes by δ times the jump of V at the force. If the beam has
+    /// shear deformation, w on its right changes by δ times the jump of w' at the force.
     Force(f64),
-    /// A point moment. If it moves by δ, the rotation φ changes by δ times the jump of φ′.
+    /// A point moment. If it moves by δ, the rotation φ on its right changes by δ times the jump of φ′ at the moment.
     Moment(f64),
     /// A force per length at the moving end of a distributed force, with a negative sign for the left end. A
     /// displacement δ of the end adds a point force of δ times this value.
@@ -39,13 +40,13 @@ pub(super) enum Motion {
     /// A moment per length at the moving end of a distributed moment, with a negative sign for the left end. A
     /// displacement δ of the end adds a point moment of δ times this value.
     MomentPerLength(f64),
-    /// An imposed curvature at the moving end of its interval, with a negative sign for the left end. A displacement δ
-    /// of the end adds a jump of the rotation φ by δ times this value.
+    /// An imposed curvature at the moving end of its interval, with a negative sign for the left end. If the end moves
+    /// by δ, the rotation φ jumps at the end by δ times this value.
     Curvature(f64),
 }
 
 impl Tangent {
-    /// Computes the derivatives of a model's numbers with respect to a parameter. The model must have the parameter.
+    /// Computes the derivatives of a model's input values with respect to a parameter of this model.
     pub fn of(parameter: Parameter, model: &Model) -> Self {
         let mut reach = [0.0, model.beam.length];
         if let Parameter::Value(property, Domain::Segment(i))

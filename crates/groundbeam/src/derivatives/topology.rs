@@ -45,17 +45,17 @@ impl Condition {
     }
 }
 
-/// The nearest change of contact: the quantity with the smallest relative margin.
+/// The change of contact to which a solution is nearest. The contact changes when one of several quantities becomes
+/// zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
-    /// Of all quantities that change the contact zones or the active supports when they become zero, the quantity
-    /// closest to zero.
+    /// The quantity that becomes zero at the nearest change of contact.
     pub condition: Condition,
-    /// Position \[m\] of the pressure, force, gap, angle or support. For a length, it is the left end of the zone or
-    /// span.
+    /// Position \[m\] of the quantity that becomes zero. For the length of a contact zone or of a span out of contact,
+    /// it is the left end of the zone or span.
     pub at: f64,
-    /// Size of the quantity relative to the largest quantity of its kind. A length is relative to the length of the
-    /// beam.
+    /// Size of the quantity that becomes zero, divided by a reference value. For example, a pressure is divided by the
+    /// largest pressure, and a length by the length of the beam.
     pub margin: f64,
 }
 
@@ -63,9 +63,9 @@ pub struct Nearest {
 /// rounding error.
 const ROUNDING_MINIMUM: f64 = 1e-8;
 
-/// Returns the indices of the local minima among the gaps `places`, pairs of a position and a gap. To the left and to
-/// the right of a minimum, the gap must rise by more than `least`. At an end of the beam, this is required on one side
-/// only.
+/// Returns the indices of the local minima of the gap. Each entry of `places` is a position and the gap at this
+/// position. A minimum must be smaller by more than `least` than some gap on its left and some gap on its right. For a
+/// minimum at an end of the beam, one side is sufficient.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
     let count = places.len();
     let mut before = vec![f64::NEG_INFINITY; count];
@@ -87,8 +87,8 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
 }
 
 impl Solution {
-    /// Finds the nearest change of contact: the pressure, force, gap, angle, length or support with the smallest
-    /// relative margin to zero. Returns `None` if the solution has no such quantity.
+    /// Finds the nearest change of contact: the quantity with the smallest [margin](Nearest::margin) among all
+    /// quantities of [`Condition`]. Returns `None` if the solution has none of these quantities.
     pub(super) fn nearest_change_in(&self, frame: &Frame) -> Option<Nearest> {
         let mut all: Vec<Nearest> = Vec::new();
         self.pressures(frame, &mut all);
@@ -127,8 +127,9 @@ impl Solution {
                 }
             }
         }
-        // At a contact edge on Winkler ground, the margin is the angle between beam and ground, divided by p/(k l). Here p
-        // is the largest pressure, k the subgrade modulus at the edge and l the length of the beam.
+        // At a contact edge on Winkler ground, the margin is the angle between beam and ground, divided by p/(k l).
+        // This is the slope of a settlement p/k over the length l of the beam, where p is the largest pressure and k
+        // the subgrade modulus at the edge.
         let l = self.model().beam.length;
         for zone in 0..frame.zones.len() {
             for side in [Side::Left, Side::Right] {
@@ -171,8 +172,8 @@ impl Solution {
             })
             .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
-        // The margins are relative to the total ground force. If the ground carries only a small force, they are
-        // relative to the largest shear force of the beam.
+        // The margin of a concentrated force is its ratio to the total contact force or to the largest shear force of
+        // the beam, whichever is larger.
         let carried = self.range(Quantity::ShearForce);
         let carried = carried.max.value.abs().max(carried.min.value.abs());
         let total = (contact.abs() + forces).max(carried);
@@ -192,8 +193,8 @@ impl Solution {
         if scale <= 0.0 {
             return;
         }
-        // `open` collects the points of one span out of contact, from left to right, at which the gap may have a
-        // minimum.
+        // For one span out of contact, `open` collects from left to right the positions at which the gap between beam
+        // and ground may have a minimum, and the gap at each position.
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {

@@ -14,8 +14,9 @@ use crate::solution::solution::Solution;
 pub struct Limits {
     /// The allowable bearing pressure \[Pa\], and the width of the bearing area \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
-    /// The resistance of the ground per unit of effective area \[Pa\], and the width of the effective area
-    /// \[m\]: the design resistance r_d in ultimate limit states, an allowable pressure in allowable stress design.
+    /// The resistance of the ground per unit of effective area \[Pa\], and the width of the effective area \[m\]. The
+    /// resistance is the design resistance r_d in ultimate limit states, and an allowable pressure in allowable stress
+    /// design.
     pub bearing_resistance: Option<(f64, f64)>,
     /// The limit of the downward deflection \[m\].
     pub settlement: Option<f64>,
@@ -62,7 +63,7 @@ pub struct Check {
     pub limit: f64,
     /// The position at which the value occurs \[m\]; `None` if the value has no position.
     pub at: Option<f64>,
-    /// A quantity reported in addition to the value.
+    /// A further quantity that is reported together with the computed value of the check.
     pub beside: Beside,
 }
 
@@ -290,7 +291,8 @@ mod tests {
     use crate::outcome::Outcome;
     use crate::solve::solve;
 
-    /// Kikuchi's beam (5.21) of length l, with the force f₀ and the moment M₀ at its middle, tips if M₀ ≥ ½ f₀ l.
+    /// A beam of length l with the force f₀ and the moment M₀ at its middle tips if M₀ ≥ ½ f₀ l, by (5.21) of Kikuchi's
+    /// paper.
     #[test]
     fn the_margin_is_the_factor_on_the_moment() {
         let beam = || Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
@@ -347,8 +349,8 @@ mod tests {
         assert_eq!(checks[0].found, 2.0 * largest);
     }
 
-    /// Compares the contact force V and its eccentricity e from equilibrium with integrals of the contact pressure,
-    /// on a beam with a support and an axial force.
+    /// Computes the contact force and its position from equilibrium, and compares both with integrals of the contact
+    /// pressure. The beam has a support and an axial force.
     #[test]
     fn the_reaction_of_the_ground_is_that_of_its_pressure() {
         let mut beam = Beam::uniform(10.0, 5e7);

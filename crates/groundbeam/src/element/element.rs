@@ -13,7 +13,8 @@ use crate::numeric::real::{Real, sum};
 /// The meaning of the four unknowns v of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Basis {
-    /// Deflection and rotation of the left end, and the two components of the deformation.
+    /// Deflection and rotation of the left end, and the deflection and rotation of the right end relative to the rigid
+    /// motion of the left end.
     #[default]
     Deformation,
     /// Deflection and rotation of the left end, and those of the right end. This basis is used for elements with
@@ -68,7 +69,8 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// Returns the unknowns v for a unit deflection or a unit rotation of one end. The other end is fixed.
+    /// Returns the four unknowns v of the element for a unit deflection or a unit rotation of one end, with the other
+    /// end fixed.
     pub fn moved_end(&self, right: bool, rotates: bool) -> [f64; 4] {
         match (right, self.basis, rotates) {
             (false, Basis::Deformation, false) => [1.0, 0.0, -1.0, 0.0],
@@ -108,8 +110,8 @@ pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     }
 }
 
-/// Converts the coefficients of the unknowns v in a linear function to the coefficients of the unknowns of the
-/// mirrored element (see [`mirror_shape`]).
+/// Transforms the coefficients of a linear function of an element's unknowns. The returned coefficients belong to the
+/// unknowns of the mirrored element (see [`mirror_shape`]).
 fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [a, b, c, d] = *row;
     match basis {
@@ -118,7 +120,7 @@ fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     }
 }
 
-/// Maximum length of an element, in units of 1/wave number of its deflection.
+/// Maximum length of an element, multiplied by the wave number of its deflection.
 pub(crate) const LONGEST_SERIES: f64 = 2.0;
 
 /// Maximum compression of a beam of length l, as a multiple of EI/l². Beyond this compression, the beam has more than

@@ -44,9 +44,10 @@ impl<R: Real> Layers<R> {
         wanted.then_some(layers)
     }
 
-    /// Computes the power series of the slowly varying parts of three even or odd solutions: the homogeneous solution
-    /// without boundary layer, the boundary layer (its slowly varying part is zero), and the particular solution for
-    /// the load EI · `push`. If `PARITY` is odd, this load is multiplied by s.
+    /// Computes the slowly varying parts of three solutions as power series in the local coordinate s. `PARITY` is 0
+    /// for even and 1 for odd solutions. The first solution is homogeneous without boundary layer, and the second is a
+    /// boundary layer, whose slowly varying part is zero. The third is the particular solution for the load EI · `push`
+    /// if it is even, and EI · `push` · s if it is odd.
     pub(super) fn slow<const PARITY: usize>(self, a: f64, push: R) -> [[R; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
         let series = |first: R, load: R| {
@@ -93,8 +94,9 @@ impl<R: Real> Layers<R> {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
-            // Farther than `LAYER`/r₂ from the end of the element, the boundary layer of this end is below rounding
-            // error, so it is omitted. The piece may then also be too long for an accurate power series of this layer.
+            // The boundary layer of an end of the element is omitted where the distance from this end exceeds
+            // `LAYER`/r₂, because the layer is smaller than the rounding error there. r₂ is the larger root of the
+            // characteristic equation.
             if height == 0.0 || self.fast.value() * distance > LAYER {
                 continue;
             }
@@ -167,8 +169,8 @@ mod tests {
         let [left, right] = [jet(&ends[0], -1.0), jet(&ends[1], 1.0)];
         assert!((left[0] - 0.3).abs() < 1e-15 && (left[1] / halves[0] + 0.2).abs() < 1e-13);
         assert!((right[0] - 0.0).abs() < 1e-15 && (right[1] / halves[1] - 0.2).abs() < 1e-13);
-        // Checks the vertical force −EI w‴ + N w' − G and the moment EI w″ at the ends of the element, for the tension
-        // N and the moment load G.
+        // Checks the vertical force −EI w‴ + N w' − G and the moment EI w″ at the ends of the element, where N is the
+        // tension and G the distributed moment load.
         let f = whole.element.forces(&v);
         let total = |j: [f64; 4], h: f64, g: f64| -j[3] / power(h, 3) + 900.0 * j[1] / h - g;
         let t = [total(left, halves[0], 0.5), total(right, halves[1], 0.1)];

@@ -1,9 +1,9 @@
-//! Computes the stiffness and load of one element, the beam between two nodes, (2.11), (5.1) of Kikuchi's paper.
+//! Computes the stiffness and the load of one element of the beam by (2.11) and (5.1) of Kikuchi's paper.
 //!
-//! An element is exact: its deflection solves (2.11). Cells with constant bending stiffness, tension and subgrade use
-//! the [closed form](uniform). All other cells, and beams with shear deformation, use the [series](series). A long
-//! loaded stretch in contact has one long element in its middle, the [quiet element](quiet), where the waves from the
-//! ends of the stretch have decayed.
+//! An element is the part of the beam between two nodes. Its deflection solves (2.11) exactly. Cells with constant
+//! bending stiffness, tension and subgrade use the [closed form](uniform). All other cells, and beams with shear
+//! deformation, use the [series](series). A long loaded stretch in contact has one long element in its middle, the
+//! [quiet element](quiet), where the waves from the ends of the stretch have decayed.
 
 pub(crate) mod element;
 pub(crate) mod layers;
@@ -79,8 +79,8 @@ impl<R: Real> ExactElement<R> {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
-        // Only a quiet element, in which the waves from the ends of the stretch have decayed, is so long that `parts`
-        // exceeds 2.
+        // If `parts` counts more than two equal elements in this length, the element is a quiet element: a long element
+        // in the middle of a stretch, where the waves from both ends of the stretch have decayed.
         if parts(operator, length) > 2 {
             let (element, series) = quiet::element(operator, length);
             return ExactElement { element, functions: Functions::Quiet(series) };
@@ -118,8 +118,8 @@ impl<R: Real> ExactElement<R> {
         c
     }
 
-    /// Computes the coefficients of φ(s), the rotation of the sections. Returns `None` if the beam has no shear
-    /// deformation.
+    /// Computes the coefficients of φ(s), the rotation of the cross-sections at the local coordinate s. Returns `None`
+    /// if the beam has no shear deformation.
     pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         match &self.functions {
             Functions::Uniform(_) | Functions::Quiet(_) => None,
@@ -127,8 +127,8 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// Computes w from the four unknowns of the element. Returns the coefficients of the series w(s) and the
-    /// amplitudes of the boundary layers at the left and the right end.
+    /// Computes the deflection w from the four unknowns of the element. Returns the coefficients of its power series in
+    /// the local coordinate s, and the amplitudes of the boundary layers at the left and the right end.
     pub fn unfold(&self, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         match &self.functions {
             Functions::Uniform(uniform) => {

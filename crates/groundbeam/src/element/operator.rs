@@ -1,7 +1,8 @@
 //! Computes the coefficients of the beam equation on a cell, with or without contact: stiffness, tension, subgrade and loads.
 
 use crate::element::element::MOST_COMPRESSION;
-use crate::mesh::cell::{Cell, GROUND};
+use crate::mesh::cell::Cell;
+use crate::mesh::ground_stretch::GROUND;
 use crate::model::Profile;
 use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
@@ -9,9 +10,9 @@ use crate::numeric::real::Real;
 /// Whether the beam is in contact with the ground along a whole cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ZoneKind {
-    /// Contact along the whole cell: u = w − g₀.
+    /// Contact along the whole cell: the ground displacement u equals the deflection w minus the initial gap g₀.
     Contact,
-    /// No contact along the whole cell: the ground has no part in the beam equation.
+    /// No contact anywhere on the cell: the ground does not occur in the beam equation.
     Open,
 }
 
@@ -33,8 +34,9 @@ pub(crate) struct Operator<R = f64> {
     pub moment_load: [R; 2],
     /// Moment EI κ₀ of an imposed curvature κ₀ at both ends of the cell.
     pub imposed_moments: [R; 2],
-    /// All coefficients as polynomials, if EI, N or κ varies or the beam has shear deformation. The other fields then
-    /// contain the values of the coefficients at the middle and at the ends of the cell.
+    /// All coefficients as polynomials, if the bending stiffness EI, the tension N or the subgrade modulus κ varies
+    /// along the cell or the beam has shear deformation. The other fields then contain the values of the coefficients
+    /// at the middle and at the ends of the cell.
     pub polynomials: Option<Polynomials<R>>,
 }
 
@@ -77,9 +79,9 @@ impl<R: Real> Operator<R> {
         shears.is_none_or(|all| all.resists_shear() && self.wave_number() * length <= shortest)
     }
 
-    /// Upper bound of |r| \[1/m\] for all roots r of the characteristic equation EI r⁴ − N r² + κ = 0, with the
-    /// tension N and the subgrade κ. With shear deformation, the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ =
-    /// 0. If the coefficients vary, the bound follows from their values at the ends and in the middle of the cell.
+    /// Upper bound of |r| \[1/m\] for all roots r of the characteristic equation EI r⁴ − N r² + κ = 0, with the tension
+    /// N and the subgrade κ. For a beam with the shear stiffness S, the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² +
+    /// κ = 0. If the coefficients vary, the bound follows from their values at the ends and in the middle of the cell.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
             None => [self.stiffness.value(), self.tension.value().abs(), self.subgrade.value()],
@@ -97,7 +99,8 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
     (0.5 * (n + (n * n + 4.0 * k).sqrt())).sqrt()
 }
 
-/// The coefficients of the beam equation on a cell as polynomials of s ∈ \[−1, 1\], with or without contact.
+/// The coefficients of the beam equation on a cell, with or without contact, as polynomials in the local coordinate s ∈
+/// \[−1, 1\].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Polynomials<R = f64> {
     /// Bending stiffness EI.
@@ -114,15 +117,15 @@ pub(crate) struct Polynomials<R = f64> {
     /// Moment load that does work on the slope w′: μ g₀′ in contact, 0 out of contact, with the stiffness μ of the
     /// shear layer and the slope g₀′ of the initial gap.
     pub slope_load: [R; GROUND],
-    /// Moment load g, which does work on φ.
+    /// Distributed moment load g, which does work on the rotation φ of the cross-sections.
     pub moment_load: [R; 2],
     /// Imposed curvature κ₀.
     pub curvature: [R; 2],
 }
 
 impl<R: Real> Polynomials<R> {
-    /// Computes the coefficients of the beam equation on a cell as polynomials of s. Returns `None` if the beam and the
-    /// ground in contact are uniform and the beam has no shear deformation.
+    /// Computes the coefficients of the beam equation on a cell as polynomials in the local coordinate s. Returns
+    /// `None` if the beam and the ground in contact are uniform and the beam has no shear deformation.
     pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Option<Self> {
         let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
@@ -177,9 +180,9 @@ impl<R: Real> Polynomials<R> {
         })
     }
 
-    /// Computes the bending stiffness, the magnitude of the tension and the subgrade modulus of a uniform element
-    /// without shear deformation whose wave number is at least that of this element. They follow from the coefficients
-    /// at the ends and in the middle of the cell.
+    /// Returns the bending stiffness, the magnitude of the tension and the subgrade modulus of a uniform cell without
+    /// shear deformation. The wave number of this uniform cell is an upper bound of the wave numbers at the ends and in
+    /// the middle of the actual cell.
     fn extremes(&self) -> [f64; 3] {
         let at = |c: &[R]| ENDS_AND_MIDDLE.map(|s| value(c, s).value());
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);

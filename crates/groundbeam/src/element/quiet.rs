@@ -24,8 +24,8 @@ const DEPTH: f64 = 50.0;
 /// an element.
 const SHORTEST: f64 = 40.0;
 
-/// Computes the length over which the waves from the ends of a stretch decay. Returns `None` if the stretch is too
-/// short for a quiet element.
+/// Computes the length over which the waves from the ends of a stretch decay. Returns `None` unless the stretch is
+/// long, loaded, uniform and in contact.
 pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64> {
     let loads = particular(operator, length);
     let is_loaded = operator.subgrade.value() > 0.0 && (loads[0] * loads[1]).value() > 0.0;
@@ -34,7 +34,8 @@ pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64>
     }
     let [sum, product] = roots(operator).map(R::value);
     let apart = sum * sum - 4.0 * product;
-    // The smaller of two real roots is computed without cancellation.
+    // Of the two characteristic roots with positive real part, the decay rate is the smaller one if they are real, and
+    // their common real part otherwise. The smaller root is computed without cancellation.
     let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
     let depth = DEPTH / decay;
     (length > SHORTEST * depth).then_some(depth)
@@ -55,8 +56,9 @@ fn particular<R: Real>(operator: &Operator<R>, length: f64) -> [R; 2] {
     operator.load.map(|load| (load - rise) / operator.subgrade)
 }
 
-/// Computes the quiet element, a long element in which the waves from the ends of the stretch have decayed, so its
-/// deflection w(s) is a particular solution of the beam equation. Also returns the coefficients of w(s).
+/// Computes the quiet element: a long element so far from the ends of its stretch that the waves from these ends have
+/// decayed. Also returns the power series coefficients of its deflection, which is a particular solution of the beam
+/// equation.
 pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<R>, [R; TERMS]) {
     let ends = particular(operator, length);
     let slope = (ends[1] - ends[0]) / length;

@@ -1,22 +1,22 @@
 //! Computes the element with varying coefficients, with or without shear deformation, as power series of w, φ, m and τ.
 //!
-//! The series are functions of s, with x = x_middle + a s and half the element length a. The state is the deflection
-//! w, the rotation φ of the sections, the moment m = EI (φ′ − κ₀) with the imposed curvature κ₀, and the vertical force
-//! τ = Q + N w′ − G with the shear force Q = S γ, the shear strain γ and the tension N. The state solves (2.11) with
-//! (4.1) as a system of first order:
+//! The variable of the series is s, with x = x_middle + a s and half the length a of the element. w is the
+//! deflection, φ the rotation of the sections, m = EI (φ′ − κ₀) the moment and τ = Q + N w′ − G the vertical force.
+//! Here κ₀ is the imposed curvature, Q = S γ the shear force, S the shear stiffness, γ the shear strain and N the
+//! tension. G = μ g₀′ is the moment load that the shear layer exerts where the initial gap g₀ has a slope. The
+//! functions w, φ, m and τ solve (2.11) with (4.1) of Kikuchi's paper as a system of first order:
 //!
 //! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
 //!
-//! A beam without shear deformation has γ = 0 and Q = τ + G − N φ. The moment load g on the beam does work on φ. The
-//! moment load G = μ g₀′, which the shear layer exerts where the initial gap g₀ has a slope, does work on w′. EI, S, N,
-//! the subgrade κ and the loads are polynomials of s, so each coefficient of the state follows from the preceding
-//! coefficients.
+//! Here g is the moment load on the beam, κ the subgrade modulus and F the load. A beam without shear deformation has
+//! γ = 0 and Q = τ + G − N φ. The moment load g does work on φ, and G does work on w′. EI, S, N, κ and the loads are
+//! polynomials of s, so each coefficient of the series follows from the preceding coefficients.
 //!
-//! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten half
+//! The series converge up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten half
 //! lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
 //! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four homogeneous
-//! solutions and one particular solution. Rigid motions, deformations and γ are separate unknowns, so no stiffness is a
-//! difference of large numbers.
+//! solutions and one particular solution. Rigid motions, deformations and γ are computed separately, so no stiffness is
+//! a difference of large numbers.
 
 use crate::element::element::{Basis, Element};
 use crate::element::operator::Polynomials;
@@ -29,7 +29,7 @@ type Five<R> = [R; 5];
 /// Index of the particular solution in [`Five`].
 const LOADED: usize = 4;
 
-/// Power series of the solutions of an element, and their amplitudes for unit values of its unknowns.
+/// The deflection and the rotation of an element as power series, for any values of its four unknowns.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Series<R = f64> {
     /// Power series coefficients of the deflection w in the four homogeneous solutions and the particular solution.
@@ -37,11 +37,11 @@ pub(crate) struct Series<R = f64> {
     /// Power series coefficients of the rotation φ in the four homogeneous solutions and the particular solution, if
     /// the beam has shear deformation.
     rotation: Option<[Five<R>; TERMS]>,
-    /// For each of the element's four unknowns: the amplitudes of the four homogeneous solutions in the combination in
-    /// which this unknown is 1 and the other three unknowns are 0.
+    /// Row i contains the amplitudes of the four homogeneous solutions whose sum has the value 1 for unknown i of the
+    /// element and the value 0 for the other three unknowns.
     unit: [[R; 4]; 4],
-    /// Amplitudes of the four homogeneous solutions in the combination that has the same deflections and rotations at
-    /// the two ends of the element as the particular solution.
+    /// Amplitudes of the four homogeneous solutions whose sum has the deflections and rotations of the particular
+    /// solution at both ends of the element.
     held: [R; 4],
 }
 
@@ -102,14 +102,14 @@ struct Solutions<R> {
     /// Upward force per length κ w − F on the beam: the ground reaction κ w minus the load F, with the subgrade modulus
     /// κ. [`Self::forces`] computes its virtual work in rigid motions of the element.
     pressure: [Five<R>; TERMS],
-    /// Moment per length N w′ − G − g on the beam, with the tension N, the moment load G = μ g₀′ of the shear layer due
-    /// to the slope g₀′ of the initial gap, and the moment load g on the beam. [`Self::forces`] computes its virtual
-    /// work in a rigid rotation of the element.
+    /// Distributed moment N w′ − G − g on the beam. N is the tension, g the moment load on the beam, and G = μ g₀′ the
+    /// moment load that the shear layer exerts where the initial gap has the slope g₀′.
     turning: [Five<R>; TERMS],
 }
 
 impl<R: Real> Solutions<R> {
-    /// Computes all coefficients from the state in the middle of the element.
+    /// Computes the power series of the four homogeneous solutions and the particular solution, from the coefficients
+    /// `of` of the beam equation and half the length `a` of the element.
     fn new(of: &Polynomials<R>, a: f64) -> Self {
         let zero = [[R::ZERO; 5]; TERMS];
         let mut all = Solutions {
@@ -163,11 +163,10 @@ impl<R: Real> Solutions<R> {
         all
     }
 
-    /// Sets the state of the five solutions in the middle of the element. There, the first homogeneous solution has
-    /// only a deflection, the second only a rotation, the third only a moment, and the fourth a shear force and the
-    /// rotation φ for which w′ = 0. In the particular solution, the moment m and the shear force Q are such that the
-    /// rotation φ has φ′ = φ″ = 0 in the middle. Constant imposed curvatures and moment loads then do not bend the
-    /// beam.
+    /// Sets the values of the five solutions in the middle of the element. There, the first homogeneous solution has
+    /// only a deflection, the second only a rotation, and the third only a moment. The fourth has a shear force, and a
+    /// rotation such that w′ = 0. The particular solution has a moment and a shear force such that the rotation φ has
+    /// φ′ = φ″ = 0. Constant imposed curvatures and moment loads then do not bend the beam.
     fn start(&mut self, of: &Polynomials<R>, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
@@ -182,9 +181,10 @@ impl<R: Real> Solutions<R> {
         self.force[0] = [zero, tension / a, zero, shear_force, balance - of.slope_load[0]];
     }
 
-    /// Computes the four unknowns of the element for each of the five solutions. They are w and φ at the left end, and
-    /// the deformations w_right − w_left − φ_left h = ∫γ + ∫(φ − φ_left) and φ_right − φ_left, with the length h and
-    /// the shear strain γ.
+    /// Computes the element's four unknowns in each of the four homogeneous solutions and in the particular solution.
+    /// The unknowns are the deflection and the rotation of the left end, and the displacement and the rotation of the
+    /// right end relative to the rigid motion of the left end. The relative displacement is the integral of
+    /// γ + φ − φ_left along the element, with the shear strain γ, the rotation φ and its value φ_left at the left end.
     fn ends(&self, a: f64) -> [[R; 4]; 5] {
         let mut ends = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -205,9 +205,10 @@ impl<R: Real> Solutions<R> {
         ends
     }
 
-    /// Computes the forces on the element: the virtual work of a rigid translation, the virtual work of a rigid
-    /// rotation about the left end, and the vertical force τ and the moment m at the right end. Bending and shear do
-    /// no virtual work in rigid motions.
+    /// Returns the forces that are work-conjugate to the element's four unknowns, in each of the four homogeneous
+    /// solutions and in the particular solution. The first two are the virtual work of ground reaction, tension and
+    /// loads in a unit rigid translation and in a unit rigid rotation about the left end. The last two are the vertical
+    /// force and the moment at the right end.
     fn forces(&self, a: f64) -> [[R; 4]; 5] {
         let mut forces = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -228,10 +229,10 @@ impl<R: Real> Solutions<R> {
     }
 }
 
-/// Computes the amplitudes of the four homogeneous solutions for the values `wanted` of the element's four unknowns:
-/// the deflection and the rotation of the left end, and the displacement and the rotation of the right end relative to
-/// the rigid motion of the left end. The relative values depend almost only on the two solutions that have a moment or
-/// a shear force in the middle of the element, so the amplitudes of these two solutions are eliminated first.
+/// Computes the amplitudes of the four homogeneous solutions whose sum has the values `wanted` of the element's four
+/// unknowns. The last two unknowns are the displacement and the rotation of the right end relative to the rigid motion
+/// of the left end. They depend almost only on the third and the fourth solution, so the amplitudes of these two
+/// solutions are eliminated first.
 fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     let solve = |m: [[R; 2]; 2], r: [R; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -260,7 +261,7 @@ fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     [p, q, bending(0), bending(1)]
 }
 
-/// Computes the forces on the element in the sum of the four homogeneous solutions with the amplitudes `by`.
+/// Superposes the forces on the element in the four homogeneous solutions, each multiplied by its amplitude in `by`.
 fn combined<R: Real>(forces: &[[R; 4]; 4], by: &[R; 4]) -> [R; 4] {
     std::array::from_fn(|i| sum::<R, 4>(|j| by[j] * forces[j][i]))
 }

@@ -1,17 +1,18 @@
 //! Computes the exact element with constant data, from solutions of EI w⁗ − N w″ + κ w = F − G', (2.11) of Kikuchi's paper.
 //!
-//! N is the tension, κ the subgrade modulus in contact, F the load and G the moment load. Let a be half the
-//! length of the element and x = x_middle + a s. The equation then becomes the recurrence
+//! N is the tension, κ the subgrade modulus (zero out of contact), F the load and G the moment load. Let a be
+//! half the length of the element and x = x_middle + a s. For the power series w = Σ cⱼ sʲ, the equation
+//! becomes the recurrence
 //!
 //! (j+4)(j+3)(j+2)(j+1) c_{j+4} = α (j+2)(j+1) c_{j+2} − β c_j + ρ_j,
-//! α = N a²/EI, β = κ a⁴/EI, ρ = (F − G') a⁴/EI,
+//! α = N a²/EI, β = κ a⁴/EI, ρ = (F − G') a⁴/EI.
 //!
-//! for the coefficients of w = Σ cⱼ sʲ. This power series converges like 1/j!, for real, double and complex
-//! roots of EI r⁴ − N r² + κ. Even and odd j are decoupled, so the element consists of two problems of two
-//! unknowns. No stiffness is a difference of large numbers.
+//! The series converges like 1/j!, for real, double and complex roots r of EI r⁴ − N r² + κ = 0. Even and odd
+//! j are decoupled, so the element consists of two problems of two unknowns. No stiffness is a difference of
+//! large numbers.
 //!
-//! If tension dominates bending, the roots lie far apart. Then w is the sum of a slowly varying part, which is
-//! again a power series, and [boundary layers](crate::element::layers).
+//! If tension dominates bending, the roots lie far apart. Then w is the sum of a slowly varying part, which
+//! is again a power series, and [boundary layers](crate::element::layers).
 
 use crate::element::element::{Basis, Element};
 use crate::element::layers::Layers;
@@ -20,7 +21,7 @@ use crate::numeric::elementary::{exp, power, tanh};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum};
 
-/// The even and the odd solutions of an element with constant data.
+/// The even and the odd solutions of the beam equation with constant coefficients, for one element.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Uniform<R = f64> {
     pub layers: Option<Layers<R>>,
@@ -30,12 +31,14 @@ pub(crate) struct Uniform<R = f64> {
 /// The even or the odd solutions of an element: two homogeneous solutions and one particular solution.
 #[derive(Debug, Clone, Copy)]
 struct Half<R> {
-    /// Power series coefficients c₀, c₂, … or c₁, c₃, … of the two homogeneous solutions and of the particular
-    /// solution. They are zero for a homogeneous solution that is a boundary layer, because a boundary layer is
-    /// computed from exponential functions.
+    /// Power series coefficients of the two homogeneous solutions and of the particular solution. Only the even powers
+    /// are stored for even solutions, and only the odd powers for odd solutions. A homogeneous solution that is a
+    /// boundary layer has zero coefficients, because it is computed from exponential functions.
     series: [[R; TERMS / 2]; 3],
-    /// Two boundary values of each of the two homogeneous solutions and of the particular solution. They are
-    /// combinations of the deflections and rotations of both ends, different for even and for odd solutions.
+    /// Two boundary values of each of the two homogeneous solutions and of the particular solution. For even
+    /// solutions, these are the mean deflection of the two ends and half their relative rotation. For odd solutions,
+    /// these are δ and a·θ − δ. Here δ is half the difference of the end deflections, a is half the length of the
+    /// element, and θ is the mean rotation of the ends.
     boundary: [[R; 2]; 3],
     /// Two boundary forces of each of the two homogeneous solutions and of the particular solution. They are
     /// work-conjugate to the boundary values.
@@ -76,15 +79,15 @@ impl<R: Real> Uniform<R> {
         let even = match layers {
             None => even,
             Some(Layers { fast, .. }) => {
-                // The boundary layer is cosh(rx)/cosh(ra), with the decay rate r = `fast` and half the length a.
+                // The boundary layer is cosh(rx)/cosh(ra) with the decay rate r = `fast` and half the length a.
                 let tanh = tanh(fast * a);
                 let sink = operator.subgrade * 2.0 * tanh / fast;
                 even.with_layer([R::ONE, fast * tanh], [sink, ei * 2.0 * fast * fast])
             }
         };
 
-        // An odd solution has two boundary values: δ = (w_right − w_left)/2, and a θ̄ − δ. Here a is half the element
-        // length, and θ̄ is the mean of the slopes at the two ends.
+        // The boundary values of odd solutions are δ and a·θ − δ. Here δ is half the difference of the end
+        // deflections, a is half the length of the element, and θ is the mean rotation of the ends.
         let solve_odd = |c1, c3, rho| series::<1, R>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [
@@ -106,7 +109,8 @@ impl<R: Real> Uniform<R> {
         let odd = match layers {
             None => odd,
             Some(Layers { fast, .. }) => {
-                // The boundary layer is sinh(rx)/sinh(ra), with the decay rate r = `fast` and half the length a.
+                // The boundary layer is sinh(rx)/sinh(ra). Here r = `fast` is the decay rate, a is half the length of
+                // the element, and x is measured from the middle of the element.
                 let z = fast * a;
                 let coth = R::ONE / tanh(z);
                 let turning =
@@ -120,8 +124,9 @@ impl<R: Real> Uniform<R> {
         (element, Uniform { layers, halves: [even, odd] })
     }
 
-    /// Returns the coefficients of w(s) for the element's four unknowns `v`, and separately the amplitudes of
-    /// the boundary layers at the left and the right end.
+    /// Returns the power series coefficients of the deflection w(s) for the element's four unknowns `v`, and the
+    /// amplitudes of the boundary layers at the left and the right end. The coordinate s is −1 at the left end and 1 at
+    /// the right end.
     pub fn unfold(&self, basis: Basis, length: f64, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         let [even_half, odd_half] = &self.halves;
         let a = 0.5 * length;
@@ -130,9 +135,10 @@ impl<R: Real> Uniform<R> {
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [R::ZERO; 2]) };
-        // The boundary layers are cosh(rx)/cosh(ra) and sinh(rx)/sinh(ra), with x from the middle of the element, half
-        // its length a and the decay rate r = `fast`. Each is the sum or the difference of a layer at the right end and
-        // a layer at the left end.
+        // Let r = `fast` be the decay rate and a half the length of the element, and let x be measured from the
+        // middle. Then cosh(rx)/cosh(ra) is the sum of a boundary layer at the right end and one at the left end,
+        // divided by 1 + exp(−2ra). Likewise, sinh(rx)/sinh(ra) is the difference of these layers, divided by
+        // 1 − exp(−2ra).
         let decay = exp(-layers.fast * length);
         let (cosh, sinh) = (cosh / (decay + 1.0), sinh / (R::ONE - decay));
         // An amplitude of a boundary layer below `rounding` is rounding error and is set to zero.
@@ -145,7 +151,8 @@ impl<R: Real> Uniform<R> {
     }
 }
 
-/// Computes the even or the odd power series coefficients by the recurrence, from the first two of them.
+/// Computes the power series coefficients of an even or an odd solution of the beam equation from its first two
+/// coefficients, by recurrence.
 fn series<const PARITY: usize, R: Real>(
     first: f64,
     second: f64,
@@ -177,8 +184,8 @@ const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
     all
 }
 
-/// Factors of the even coefficients cⱼ of the deflection w = Σ cⱼ sʲ in four quantities: in w, w' and w″ at s = 1, and
-/// in the integral of w over 0 ≤ s ≤ 1.
+/// Weights of the even coefficients cⱼ of the deflection w = Σ cⱼ sʲ, −1 ≤ s ≤ 1, in four sums. The sums are w, dw/ds
+/// and d²w/ds² at s = 1, and the integral of w over 0 ≤ s ≤ 1.
 const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -190,8 +197,8 @@ const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// Factors of the odd coefficients cⱼ of the deflection w = Σ cⱼ sʲ in four quantities: in w, w' − w and w″ at s = 1,
-/// and in the integral of w s over 0 ≤ s ≤ 1.
+/// Weights of the odd coefficients cⱼ of the deflection w = Σ cⱼ sʲ, −1 ≤ s ≤ 1, in four sums. The sums are w,
+/// dw/ds − w and d²w/ds² at s = 1, and the integral of w s over 0 ≤ s ≤ 1.
 const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -428,11 +435,12 @@ mod tests {
 
     #[test]
     fn short_elements_keep_the_digits_of_bending_and_ground() {
-        // For EI = k = 1 and a short length h, the stiffness is h for a rigid translation, h²/2 for its coupling
-        // with a rigid rotation, and 12/h³ for bending. All are accurate to the last digits.
+        // For EI = k = 1 and a short length h, the stiffness is h for a rigid translation, h²/2 for the
+        // coupling of rigid translation and rotation, and 12/h³ for the relative displacement of the ends.
         for h in [1e-2, 1e-5, 1e-8] {
             let e = ExactElement::new(&operator(0.0, 1.0), h).element;
-            // The exact stiffnesses differ from these values by terms that are smaller by the factor h⁴.
+            // For the element length h, the exact stiffnesses differ from h, h²/2 and 12/h³ by a relative error of
+            // order h⁴.
             let small = power(h, 4) + 1e-15;
             assert!((e.stiffness[0][0] / h - 1.0).abs() < small);
             assert!((e.stiffness[0][1] / (h * h / 2.0) - 1.0).abs() < small);

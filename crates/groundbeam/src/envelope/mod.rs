@@ -15,8 +15,8 @@ const ROUNDING_DIFFERENCE: f64 = 1e-12;
 /// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts
 /// the difference of the solutions may be rounding error.
 const SHORTEST_RANGE: f64 = 1e-6;
-/// The two lines of an envelope in the order of their computation. The smallest values are computed as the
-/// largest values of the negative field.
+/// The two lines of an envelope in the order of their computation. The smallest values of a field are computed from the
+/// largest values of the field with the opposite sign.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
 /// The envelope of several solutions of one beam.
@@ -62,7 +62,7 @@ pub struct Governing {
     pub by: usize,
 }
 
-/// The smallest and the largest of several solutions' values.
+/// The smallest and the largest value of a field over several solutions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// The smallest value.
@@ -85,8 +85,8 @@ pub enum Bound {
 /// A position at which the governing solution changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
-    /// Position of the change \[m\]. At this position the values of the two governing solutions are equal, or
-    /// the field jumps in one of them.
+    /// Position at which the governing solution changes \[m\]. There, the solutions that govern to the left and to the
+    /// right have equal values, or the field jumps in one of them.
     pub x: f64,
     /// The bound of the envelope on which the governing solution changes: the smallest or the largest values.
     pub bound: Bound,
@@ -143,7 +143,8 @@ impl<'a> Envelope<'a> {
         self.bounds(x, [Side::Left, Side::Right])
     }
 
-    /// The smallest and largest values of all fields on one side of a position.
+    /// Returns the smallest and the largest value of each field at a position, in the order of [`Field::ALL`]. If a
+    /// field jumps, only the value on the given side counts.
     pub fn all_beside(&self, x: f64, side: Side) -> ByField<Bounds> {
         self.bounds(x, [side, side])
     }
@@ -174,9 +175,10 @@ impl<'a> Envelope<'a> {
 
     /// Positions at which the governing solution changes, from left to right.
     ///
-    /// Each solution consists of pieces with closed forms. Between two neighbouring ends of pieces, the changes
-    /// are the roots of the differences between the closed forms. The roots are isolated from the coefficients,
-    /// without sampling. A change can also lie at an end of a piece, where a field jumps.
+    /// Each solution consists of pieces with closed forms. Between two neighbouring ends of pieces, the
+    /// changes are the roots of the differences between the closed forms. The roots are computed from the
+    /// coefficients of these forms, without sampling. A change can also lie at an end of a piece, where a
+    /// field jumps.
     pub fn changes(&self, field: Field) -> Vec<Change> {
         let forms = Forms::of(&self.solutions, field);
         let rounding = self.rounding(field);
@@ -228,9 +230,9 @@ impl<'a> Envelope<'a> {
         }
     }
 
-    /// Returns the positions at which the envelope is listed. These are the ends of `even` equal steps; the
-    /// loads, supports, ends of pieces, contact edges and extremes of every solution; and the changes of the
-    /// governing solution for every field.
+    /// Returns the positions at which the envelope is listed: the ends of `even` equal steps, the positions of loads,
+    /// supports, piece ends, contact edges and field extremes in every solution, and the positions at which the
+    /// governing solution of a field changes.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let Some(first) = self.solutions.first() else { return Vec::new() };
         let mut x = first.stations(even);
@@ -247,8 +249,8 @@ impl<'a> Envelope<'a> {
     }
 }
 
-/// Returns the smallest and the largest value of all solutions, with the governing solutions. `each` contains
-/// the smallest and the largest value of each solution.
+/// Returns the smallest and the largest value of a field over all solutions, with the governing solutions.
+/// `each` contains the smallest and the largest value in each solution.
 fn governing(each: impl Iterator<Item = [Extreme; 2]>, rounding: f64) -> Bounds {
     let nothing = Governing { extreme: Extreme { x: 0.0, value: 0.0 }, by: 0 };
     let mut found: Option<Bounds> = None;

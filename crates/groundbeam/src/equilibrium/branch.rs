@@ -1,12 +1,12 @@
 //! Follows the path of equilibria under increasing compression, from the equilibrium without compression.
 //!
-//! Let Φ be the minimum energy of beam and ground for a given deflection of the beam. Φ has a continuous
-//! derivative. Its second variation at an equilibrium is that of the beam *bonded* to the ground in its contact
-//! zones, because a move of a contact edge changes the energy only to third order. A
-//! [bonded solve](crate::contact::bonded) is therefore a Newton step for Φ. The pivots of its equations show
-//! whether the second variation is positive. As long as the second variation is positive, the equilibria under
-//! increasing compression form one path. The path of stable equilibria ends at a limit point, where the path
-//! turns back, or at a bifurcation.
+//! Let Φ(w) be the minimum energy of beam and ground for a given deflection w of the beam. Φ is continuously
+//! differentiable. At an equilibrium, the second variation of Φ is that of the energy of a beam *bonded* to the
+//! ground in the contact zones, because a move of a contact edge changes the energy only to third order. A
+//! [bonded solve](crate::contact::bonded) is therefore a Newton step for the minimum of Φ. The pivots of its
+//! equations show whether the second variation is positive. As long as the second variation is positive, the
+//! equilibria under increasing compression form one path. The path of stable equilibria ends at a limit point,
+//! where the path turns back, or at a bifurcation.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -28,9 +28,9 @@ const FIRST: f64 = 0.25;
 /// Smallest step in compression, relative to the larger of the required compression and the compression reached so far.
 /// The end of the path is located with this accuracy.
 const LAST: f64 = 1e-10;
-/// Maximum number of Newton steps for one compression and one set of active supports.
+/// Maximum number of Newton steps at one value of the compression, with one set of active supports.
 const NEWTON_STEPS: usize = 10;
-/// Maximum number of changes of the set of active supports for one compression.
+/// Maximum number of changes of the set of active supports at one value of the compression.
 const SUPPORT_CHANGES: usize = 10;
 /// Limits on the move of the contact edges in a Newton step, relative to the beam's length. A move below `STILL`
 /// is rounding error. A move below `ACCEPTED_MOVE` is accepted if it is at least a quarter of the previous
@@ -151,10 +151,11 @@ fn predicted(
     PathPoint { contact: edges, ..last.clone() }
 }
 
-/// Extrapolates the contact edges from three equilibria. Near a limit point the compression is a quadratic function of
-/// the edges. The edge that moved most is the parameter: the compression and all edges are quadratic functions of it.
-/// Returns `None` if this edge has turned back, if the compression is above the maximum of its function, if the number
-/// of zones changed, or if two zones would meet.
+/// Extrapolates the contact edges from three equilibria to the given `compression`. Near a limit point, the
+/// compression is approximately a quadratic function of the position of a contact edge. So the compression and all
+/// edges are computed as quadratic functions of the position of the edge that moved most. Returns `None` if this edge
+/// has turned back, if `compression` is above the maximum of its quadratic function, if the number of contact zones
+/// changed, or if two zones would meet.
 fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Interval>> {
     let [older, newer, last] = points.map(|point| point.contact.as_flattened());
     if older.len() != last.len() || newer.len() != last.len() {
@@ -163,8 +164,8 @@ fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Int
     let moved = |i: &usize| (last[*i] - newer[*i]).abs();
     let most = (0..last.len()).max_by(|a, b| moved(a).total_cmp(&moved(b)))?;
     let parameter = [older, newer].map(|edges| edges[most] - last[most]);
-    // Coefficients of the linear and the quadratic term of the parabola through three values of a function of
-    // `parameter`. `differences` are the first and the second value, each minus the last value.
+    // Returns [b, c] of the parabola b d + c d² that has the two values `differences` at the two values
+    // d = `parameter`.
     let coefficients = |differences: [f64; 2]| {
         let [first, second] = [0, 1].map(|i| differences[i] / parameter[i]);
         let square = (first - second) / (parameter[0] - parameter[1]);

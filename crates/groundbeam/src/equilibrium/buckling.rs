@@ -15,9 +15,9 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// Distance from the compression that removes the shear stiffness at which the search for a buckling load ends, relative
-/// to the distance of the model's own compression. Closer to it the beam buckles in shorter waves, and a solve needs
-/// more elements.
+/// Let N₀ be the compression that removes the shear stiffness of the beam. The search for a buckling load ends below
+/// N₀, at this fraction of the distance between N₀ and the model's own compression. Closer to N₀, the beam buckles in
+/// shorter waves, and a solve needs more elements.
 const BELOW_FOLDING: f64 = 1e-8;
 
 /// Returns the buckling load of the beam of a valid model on its supports, without ground \[N\]. The value is a
@@ -47,15 +47,15 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     if !held_rigidly(model) {
         return None;
     }
-    // One-way supports are omitted, because they do not prevent buckling in both directions.
+    // One-way supports are omitted, because each of them resists a deflection in one direction only.
     let held = model.with_supports_that(|_, support| !support.is_one_way());
     let left = 1.0 + axial / unsupported_buckling_load(&held, cancel);
     (left > 0.0).then_some(left)
 }
 
 /// Returns the buckling load of the beam bonded to the ground on given intervals \[N\]. The value is a lower bound,
-/// accurate to twelve digits. If the beam buckles in very short waves, because the compression removes its shear
-/// stiffness, the difference from the model's own compression is accurate to eight digits.
+/// accurate to twelve digits. If the compression removes the shear stiffness of the beam, it buckles in very short
+/// waves. Then the buckling load minus the model's own compression is accurate to eight digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     let touch = zone_kind_of(contact);
     let has_shear_stiffness =
@@ -69,14 +69,14 @@ pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: 
     })
 }
 
-/// Whether the beam bonded to the ground on given intervals is stable under a compression.
+/// Whether the beam is stable under the given compression if it is bonded to the ground on the intervals `contact`.
 pub(crate) fn is_stable_bonded(
     model: &Model,
     contact: &[Interval],
     compression: f64,
     cancel: &Cancel,
 ) -> bool {
-    Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
+    Bonded::new(&compressed(model, compression), cancel).is_stable_on(contact)
 }
 
 /// A lower bound of the compression at which the beam becomes unstable. The search ends at a compression above `enough`
@@ -143,9 +143,9 @@ mod tests {
 
     #[test]
     fn eulers_four_columns() {
-        // For the four columns of Euler, the buckling load P gives P l²/EI = π²/4, π², 20.190728556426629… and
-        // 4π² (Timoshenko and Gere, Theory of Elastic Stability). The third number is the square of the first
-        // positive root of tan z = z.
+        // The buckling loads P of Euler's four columns satisfy P l²/EI = π²/4, π², 20.190728556426629… and
+        // 4π² (Timoshenko and Gere, Theory of Elastic Stability). The third number is the square of the
+        // smallest positive root of tan z = z.
         let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
         close(load(&[Support::fixed(0.0)]), PI * PI / 4.0);
         close(load(&[Support::pinned(0.0), Support::pinned(2.0)]), PI * PI);
@@ -172,8 +172,8 @@ mod tests {
     /// cantilever deflects by w, the inclined bar exerts the lateral force P w/b on the tip.
     #[test]
     fn a_cantilever_under_a_pinned_bar() {
-        // A cantilever of length a, with a rigid bar of length b hinged to its tip, buckles under the compression P if
-        // tan z = z (1 + b/a), with z = a √(P/EI).
+        // A rigid bar of length b is hinged to the tip of a cantilever of length a. The far end of the bar is pinned.
+        // The system buckles under the compression P if tan z = z (1 + b/a), with z = a √(P/EI).
         let (a, b) = (1.0, 0.5);
         let model = Model::new(
             Beam::uniform(a + b, 2.0).with_segment(a, a + b, 2e9),

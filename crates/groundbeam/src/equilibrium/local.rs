@@ -43,7 +43,7 @@ pub(crate) fn check(
         stability: 1.0,
         local: None,
     };
-    // A rigid motion that is free without compression becomes unstable under any compression.
+    // A beam with a free rigid motion at zero compression is unstable under any compression.
     let buckles = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
     let solution = match statics.verdict {
         Verdict::NotUnique(motion) => return Ok(known(buckles(motion))),
@@ -60,8 +60,8 @@ pub(crate) fn check(
     let acts = one_way::acting(model, solution.candidate());
     let EquilibriumPath { wanted, last, end } =
         follow(model, PathPoint { compression: 0.0, contact, active: acts }, cancel);
-    // At a limit point the stability margin is zero. If the iteration stops at a larger margin, the end of
-    // the path is not known.
+    // The stability margin is zero at a limit point. If Newton's method fails while the margin is still
+    // clearly positive, the end of the equilibrium path has not been found.
     let held = last.on_active_supports(model);
     let beyond = last.compression / (1.0 - BRANCH);
     if end == PathEnd::NotConverged && is_stable_bonded(&held, &last.contact, beyond, cancel) {

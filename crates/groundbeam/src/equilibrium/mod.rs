@@ -1,4 +1,4 @@
-//! Computes equilibria on one-way supports, under compression and on soil models, and estimates the size of a solve.
+//! Computes equilibria with one-way supports, with compression and with soil models, and estimates the memory of a solve.
 
 pub(crate) mod branch;
 pub(crate) mod buckling;

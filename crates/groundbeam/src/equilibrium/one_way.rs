@@ -1,9 +1,10 @@
-//! Finds the set of active one-way supports, by solves with fixed sets of active supports.
+//! Finds the set of active one-way supports by solving models with fixed sets of active supports.
 //!
 //! A rigid support that only pushes up requires w ≤ 0 and a reaction R ≥ 0 with R w = 0. A hold-down requires
 //! the same conditions with opposite signs. For an elastic support, the clearance between the beam and its
-//! spring replaces w. All of these are constraints of a convex energy. The active-set method for quadratic
-//! programs satisfies them (Nocedal and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
+//! spring replaces w. All of these are the conditions for a minimum of a convex energy under inequality
+//! constraints. The active-set method for quadratic programs finds this minimum (Nocedal and Wright,
+//! *Numerical Optimization*, 2nd ed., section 16.5):
 //!
 //! 1. Solve beam and ground with the active supports, as if these were two-way.
 //! 2. On the straight path from the previous deflection to the new one, stop where the beam first meets an
@@ -32,8 +33,8 @@ const MOST_SOLVES: usize = 1000;
 /// solves, the first support with a force of the wrong sign becomes inactive, which ends cycles of steps of
 /// zero length.
 const WORST_FIRST_SOLVES: usize = 50;
-/// Rounding error of a force, relative to the sum of all reactions, and of a clearance, relative to the
-/// largest deflection.
+/// A force below this fraction of the sum of all reactions counts as zero. A clearance below this fraction of the
+/// largest deflection counts as zero too.
 const FORCE_ROUNDING: f64 = 1e-13;
 
 /// Solves a model with one-way supports by a method for models without one-way supports. Returns the solution

@@ -23,7 +23,8 @@ const MOST_SERIES: usize = 30_000;
 
 /// Upper bounds of the memory \[bytes\]: per element of the exact method, per mesh cell of the other methods,
 /// and per node of a solution that is computed at nodes only. The largest values measured in
-/// `verification/tests/memory.rs` and `bench/` are 10,800, 3500 and 53. Peaks of one solve differ by 1 %.
+/// `verification/tests/memory.rs` and `bench/` are 10,800, 3500 and 53. The peak memory of the same solve
+/// varies by 1 % from run to run.
 const EXACT: usize = 12_000;
 const MESH: usize = 4_200;
 const NODE: usize = 100;
@@ -71,8 +72,8 @@ impl Count {
         self.elements_of(options).saturating_mul(each) as u64
     }
 
-    /// Memory that a solve needs before the contact is known \[bytes\]. The method `active-set` needs a mesh
-    /// cell only for an element in contact.
+    /// Estimated memory of a solve if the whole beam is out of contact \[bytes\]. Only the method `active-set` needs
+    /// less memory out of contact than in contact.
     fn least_memory(&self, options: &Options) -> u64 {
         if options.method != Method::ActiveSet || !self.is_even {
             return self.memory(options);
@@ -90,9 +91,10 @@ impl Count {
     }
 }
 
-/// Returns upper bounds of the numbers of elements, computed from the largest wave number of the beam. Returns
-/// `None` if the beam has shear deformation, if segments vary or if loads act on the ground. The computation
-/// needs no cells. Dividing the model into cells would take a large part of the time of a small solve.
+/// Returns an upper bound of each number in [`Count`], computed from the largest wave number of the beam.
+/// Returns `None` if the beam has shear deformation, if segments vary or if loads act on the ground. The
+/// model is not divided into cells, because for a small model this would take a large part of the solution
+/// time.
 fn few(model: &Model) -> Option<Count> {
     let Model { beam, foundation, loads, supports, hinges, gap } = model;
     if beam.shears() || model.varying_part().is_some() || model.has_ground_loads() {
@@ -131,8 +133,8 @@ pub fn memory_estimate(model: &Model, options: &Options) -> u64 {
 /// combinations of 10⁴ loads is 0.18.
 const KEPT: u64 = 5;
 
-/// Refuses a list of models if all of their stored solutions and the largest solve together exceed the memory
-/// limit.
+/// Refuses a list of models if the memory of all stored solutions plus the memory of the largest solve
+/// exceeds the memory limit.
 ///
 /// # Errors
 ///

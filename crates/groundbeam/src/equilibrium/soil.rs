@@ -79,8 +79,8 @@ fn iterate(
     }))
 }
 
-/// Returns the next value of the ratio r = ∫u'²/∫u² of the ground displacement u, by the secant method through the last
-/// two iterations. If the secant leads far from the last iteration, returns the r of the last solution.
+/// Returns the next value of the ratio r = ∫u'²/∫u² of the ground displacement u, by the secant method from the last
+/// two iterations. If the secant step is too large, returns the ratio computed from the last solution.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };
     let slope = (found - found_0) / (rate - rate_0);
@@ -154,8 +154,7 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     each.sum()
 }
 
-/// Returns ∫u² and ∫u'² of the ground displacement u on a piece of the solution without contact, in a model with loads
-/// on the ground.
+/// Returns ∫u² and ∫u'² of the ground displacement u on a piece out of contact, in a model with loads on the ground.
 fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
     quadrature(2.0 * piece.half, b, |s| {
@@ -164,8 +163,9 @@ fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     })
 }
 
-/// Returns ∫u² and ∫u'² over a length by Gauss quadrature. The function `u` returns u and u' at −1 ≤ s ≤ 1. The
-/// length is cut into pieces on which u is a polynomial within rounding error. `b` is √(k/μ).
+/// Returns ∫u² dx and ∫u'² dx of the ground displacement u over a stretch of the given length, by Gauss quadrature on
+/// pieces of the stretch on which u is a polynomial to rounding error. The function `u` returns u and u' = du/dx at the
+/// coordinate s of the stretch, −1 ≤ s ≤ 1. `b` is √(k/μ).
 fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     let mut cuts = vec![0.0, length];
     cut([0.0, length], 1.0 / b, &mut cuts);
@@ -231,9 +231,9 @@ mod tests {
         assert!(gamma < 0.507 && from > 13.0, "{gamma} {from}");
     }
 
-    /// Compares ∫u² and ∫u'² with the integrals of a linear interpolation between very many points. The
-    /// integrals cover the ground in contact, open ground and the ground outside the beam, with and without
-    /// loads on the ground.
+    /// Compares the ratio ∫u'²/∫u² of the ground displacement u with that of a linear interpolation of u between very
+    /// many points. The integrals cover the ground in contact, the ground out of contact and the ground outside the
+    /// beam. A model without loads on the ground and a model with such loads are tested.
     #[test]
     fn the_rate_agrees_with_linear_interpolation() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

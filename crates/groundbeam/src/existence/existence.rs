@@ -1,12 +1,13 @@
-//! Decides from loads and supports alone whether an equilibrium exists, by a sharper form of theorem 2 of Kikuchi's paper.
+//! Decides from loads and supports alone whether an equilibrium exists, by a sharper form of theorem 2 of Kikuchi (1980).
 //!
-//! The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free rigid motion
-//! r = a x + b ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on
-//! the ground and if neither supports nor tension resist it. For a free beam without tension, all r with r(0) ≤ 0
-//! and r(l) ≤ 0 are free. The work is F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the
-//! loads. So the necessary and sufficient condition is that both static reactions are positive, (4.24)/(4.25).
-//! Tension and supports reduce the set of free motions. Free hinges enlarge the set, because r may have a kink at
-//! each hinge.
+//! Let F(r) be the work of the loads in a rigid motion r of the beam, where r(x) is the downward
+//! displacement. The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free
+//! rigid motion r ≤ 0 other than r = 0. A motion is free if the beam presses nowhere on the ground and if
+//! neither supports nor tension resist the motion. For a free beam without tension, all r = a x + b with
+//! r(0) ≤ 0 and r(l) ≤ 0 are free. The work is F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and
+//! R_l of the loads. So the necessary and sufficient condition is that both static reactions are positive,
+//! (4.24)/(4.25). Tension and supports reduce the set of free motions. Free hinges enlarge the set, because r
+//! may have a kink at each hinge.
 
 use crate::existence::statics::static_reactions;
 use crate::existence::unloaded_piece::balanced_without_a_layer;
@@ -202,8 +203,8 @@ mod tests {
         let mut stiff = slab();
         stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
         assert!(exists(&lifted(stiff, 1.0)));
-        // A support inside a piece between two hinges or beam ends prevents both ends of this piece from lifting off. A
-        // support at a hinge prevents only this hinge from lifting off.
+        // With a support inside a piece between two hinges or beam ends, neither end of this piece can lift off. A
+        // support at a hinge prevents the lift-off of this hinge only.
         assert!(exists(&lifted(slab().with_support(Support::pinned(0.5)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&lifted(slab().with_support(Support::pinned(1.0)), 1.0)));
@@ -226,7 +227,8 @@ mod tests {
         assert_eq!((motion.left, motion.right, motion.work), (-1.0, -1.0, 1.0));
     }
 
-    /// If several motions prove that no equilibrium exists, the verdict names the one with the largest work.
+    /// If several motions prove that no equilibrium exists, the verdict names the motion in which the loads do the most
+    /// work.
     #[test]
     fn the_motion_with_the_largest_work_is_the_proof() {
         let model = |left: f64, right: f64| {
@@ -239,7 +241,7 @@ mod tests {
         assert_eq!(model(-3.0, -1.0), Verdict::None(motion(-1.0, 0.0, 3.0)));
         assert_eq!(model(0.0, -1.0), Verdict::None(motion(0.0, -1.0, 1.0)));
         assert_eq!(model(1.0, 1.0), Verdict::Unique);
-        // The verdict names the first motion without work, and its work is 0, not −0.
+        // The verdict names the first motion in which the loads do no work. The stored work is 0, not −0.
         let Verdict::NotUnique(found) = model(0.0, 0.0) else { panic!() };
         assert_eq!((found, found.work.is_sign_positive()), (motion(-1.0, 0.0, 0.0), true));
     }

@@ -1,4 +1,4 @@
-//! Decides before the solve whether an equilibrium exists, (4.16)–(4.25).
+//! Decides before the solve whether an equilibrium exists, by the conditions (4.16)–(4.25) of Kikuchi's paper.
 
 pub(crate) mod existence;
 pub(crate) mod rigid_motions;

@@ -8,7 +8,7 @@ use crate::model::{Acts, Model, SupportKind};
 use crate::numeric::tolerance::same_place;
 use std::ops::Range;
 
-/// The nodes of a beam, and the constraints of its pieces.
+/// The ends and free hinges of a beam, and the constraints that supports and tension impose on its rigid motions.
 #[derive(Debug, Clone)]
 pub(crate) struct Mechanism {
     /// The beam's ends and its free hinges, from left to right.
@@ -31,7 +31,7 @@ impl Mechanism {
         mechanism
     }
 
-    /// Returns the nodes, and the constraints that result from the supports that `counts` selects.
+    /// Returns the nodes of the model, with the constraints of those supports for which `counts` returns true.
     fn on_supports(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
         let l = model.beam.length;
         let free = model.hinges.iter().filter(|hinge| hinge.is_free());
@@ -58,7 +58,8 @@ impl Mechanism {
         mechanism
     }
 
-    /// Returns the index of the piece that contains x. At a node between two pieces this is the right piece.
+    /// Returns the index of the piece that contains x. At a node between two pieces, this is the piece to the right of
+    /// the node.
     fn piece_at(&self, x: f64) -> usize {
         let after = self.nodes.partition_point(|node| *node <= x);
         after.saturating_sub(1).min(self.straight.len() - 1)
@@ -149,8 +150,7 @@ impl Mechanism {
     }
 }
 
-/// Returns whether the two-way supports prevent every rigid motion, with or without pressure on the ground. A
-/// beam in compression requires this.
+/// Returns whether the two-way supports alone, without the ground, prevent every rigid motion of the beam.
 pub(crate) fn held_rigidly(model: &Model) -> bool {
     Mechanism::on_supports(model, |acts| acts == Acts::Both).first_free_piece(&[]).is_none()
 }
@@ -304,9 +304,9 @@ mod tests {
     }
 
     /// The test tries all rigid motions r in which each node stays at rest (r = 0) or rises by one (r = −1). If two
-    /// motions satisfy the constraints and some nodes rise in both motions, the motion in which only these nodes rise
-    /// satisfies the constraints too. So the groups of nodes that the tested function returns must be the smallest sets
-    /// of nodes whose rise satisfies the constraints.
+    /// motions satisfy the constraints and have rising nodes in common, the motion in which only these common nodes
+    /// rise satisfies the constraints too. So the tested function must return the smallest sets of nodes that can rise
+    /// together.
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {
@@ -328,19 +328,19 @@ mod tests {
         }
     }
 
-    /// A support within rounding error of a hinge restrains the hinge only. A support farther away restrains
-    /// the piece.
+    /// A support within rounding error of a hinge prevents the lift-off of this hinge only. A support farther away
+    /// prevents the lift-off of both ends of the piece on which it stands.
     #[test]
     fn a_support_at_a_hinge_holds_the_hinge_alone() {
         for x in [4.0 - 2.0 * f64::EPSILON, 4.0, 4.0 + 4.0 * f64::EPSILON] {
             let found = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(x)));
             assert_eq!(groups(&found), [[0, 1], [2, 3]], "{x}");
-            // With a further support at 7, the right piece has two held positions; the left piece rotates about
-            // the hinge.
+            // With a further support at x = 7, the right piece is held at two positions. The left piece can
+            // still rotate about the hinge.
             assert_eq!(found.first_free_piece(&[7.0]), Some([0.0, 4.0]), "{x}");
             assert_eq!(found.first_free_piece(&[1.0, 7.0]), None, "{x}");
-            // With a further support at 1, the left piece has two held positions. The right piece has one held
-            // position, the hinge.
+            // With a further support at x = 1, the left piece is held at two positions. The right piece is
+            // held only at the hinge, so it can still rotate about the hinge.
             assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
         let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - DISTINCT)));

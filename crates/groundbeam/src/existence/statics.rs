@@ -1,4 +1,4 @@
-//! Computes the static reactions of rigid pieces on supports at beam ends and free hinges, from the loads, (4.25) of the paper.
+//! Computes from the loads the static reactions at the beam ends and free hinges, by equation (4.25) of Kikuchi's paper.
 
 use crate::model::{Action, Extent, Load, triangles};
 use crate::numeric::sum::Sum;
@@ -49,8 +49,8 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     reactions.into_iter().map(Sum::finished).collect()
 }
 
-/// Divides a linear load between the pieces. Returns, for each part, the index of the piece, the ends of the
-/// part, and the values of the load at both ends.
+/// Cuts a linearly varying distributed load at the nodes between the pieces. Returns, for each part of the
+/// load, the index of its piece, the positions of its ends, and the load at these positions.
 pub(crate) fn cut(
     nodes: &[f64],
     [from, to]: [f64; 2],

@@ -1,4 +1,4 @@
-//! Decides from the ground under the loads whether a beam has an equilibrium if a piece can lift off without work of the loads.
+//! Decides, from the ground under the loads, whether an equilibrium exists if a piece of the beam can be lifted without work.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -7,11 +7,10 @@ use crate::model::{Model, Support};
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// Returns the verdict for a beam with a piece that can lift off without any work of the loads. By virtual
-/// work, such a piece does not press on the ground, except at a node that stays at rest. If all pieces beside a
-/// loaded node can lift off in this way, the load of the node needs a concentrated contact force. Only a shear
-/// layer or a support that pushes up can exert this force. Without them, the beam would sink and rotate without
-/// limit.
+/// Returns the verdict for a beam with a piece that can lift off while the loads do no work. By virtual work, such a
+/// piece does not press on the ground, except at a node that stays at rest. If all pieces beside a loaded node can lift
+/// off in this way, the load of the node needs a concentrated contact force. Only a shear layer or a support that
+/// pushes up can exert this force. Without them, the beam would sink and rotate without limit.
 pub(super) fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());

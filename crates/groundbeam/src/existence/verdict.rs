@@ -9,8 +9,8 @@ use crate::numeric::tolerance::SUM_ROUNDING;
 pub enum Verdict {
     /// There is exactly one equilibrium.
     Unique,
-    /// More than one equilibrium exists, because this rigid motion does not change the energy. A static
-    /// reaction is zero, or the beam rests on one point only.
+    /// More than one equilibrium exists, because this rigid motion does not change the energy. This happens if a static
+    /// reaction is zero, if the beam rests on one point only, or if a piece beside a free hinge can move freely.
     NotUnique(RigidMotion),
     /// No equilibrium exists. In this rigid motion the beam presses nowhere on the ground, and the work of the loads is
     /// positive or zero. If the work is zero, one of the loads needs a concentrated contact force that the ground
@@ -20,8 +20,8 @@ pub enum Verdict {
     /// path that starts at the solution without compression. This equilibrium is local, because other
     /// equilibria far from it are possible.
     Local(Local),
-    /// The path of stable equilibria that starts without compression ends below the given compression: the
-    /// beam buckles.
+    /// The beam buckles: the path of stable equilibria from zero compression ends before the given compression is
+    /// reached.
     Buckles(Buckling),
 }
 
@@ -49,12 +49,13 @@ pub struct Buckling {
     pub left: f64,
     /// Value r(l) of the buckling mode r at the right end. The mode is scaled as for `left`.
     pub right: f64,
-    /// Work F(r) of the loads in the buckling mode r \[N·m per m\].
+    /// Work F(r) of the loads in the buckling mode r, per metre of uplift at the position `at` \[N·m per m\].
     pub work: f64,
 }
 
 impl Verdict {
-    /// Whether an equilibrium can be computed: a unique equilibrium, one of several, or a local equilibrium.
+    /// Whether an equilibrium can be computed. The equilibrium may be unique, one of several, or only a local minimum
+    /// of the energy.
     pub fn stands(&self) -> bool {
         match self {
             Verdict::Unique | Verdict::NotUnique(_) | Verdict::Local(_) => true,
@@ -75,30 +76,30 @@ impl Verdict {
     }
 }
 
-/// A rigid motion of the beam with the downward displacement r(x), which is linear between the free hinges. It
-/// is scaled so that the largest absolute value of r is one. The motion presses nowhere on the ground (r ≤ 0).
-/// The only exception is the rotation about a single contact point between the beam's ends, with r > 0 on one
-/// side of this point.
+/// A rigid motion of the beam with the downward displacement r(x), which is linear between the free hinges. It is
+/// scaled so that the largest absolute value of r is one. The motion presses nowhere on the ground. So r ≤ 0
+/// everywhere, except in a rotation about a single contact point between the beam's ends. Such a rotation has r > 0 on
+/// one side of this point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
-    /// Displacement r(0) of the left end in the scaled rigid motion r, positive down. It is 0 or −1, or between −1 and
-    /// 0 if the beam rotates about a single contact point.
+    /// Displacement r(0) of the left end in the scaled rigid motion r, positive down. If the beam rotates about a
+    /// single contact point, r(0) is at least −1 and less than 0. Otherwise it is 0 or −1.
     pub left: f64,
-    /// Displacement r(l) of the right end in the scaled rigid motion r, positive down. It is 0 or −1, or between 0 and
-    /// 1 if the beam rotates about a single contact point.
+    /// Displacement r(l) of the right end in the scaled rigid motion r, positive down. If the beam rotates about a
+    /// single contact point, r(l) is greater than 0 and at most 1. Otherwise it is 0 or −1.
     pub right: f64,
     /// Work F(r) of the loads in the rigid motion r, per metre of its largest displacement \[N·m/m\].
     pub work: f64,
-    /// Positions \[m\] of the first and the last node that the motion lifts by one (r = −1). The nodes are the
-    /// beam's ends and its free hinges. All nodes between these two positions have r = −1 too, and all other
-    /// nodes have r = 0. `None` for a beam without free hinges.
+    /// Positions \[m\] of the first and the last node with the displacement r = −1 (upward) in the rigid motion. The
+    /// nodes are the beam's ends and its free hinges. All nodes between these two positions have r = −1 too, and all
+    /// other nodes have r = 0. `None` for a beam without free hinges.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub lifted: Option<[f64; 2]>,
 }
 
 impl RigidMotion {
-    /// Returns the displacement r of the motion, positive down, at the position `x` on the beam of `model`.
+    /// Returns the displacement r of the beam of `model` in this rigid motion, positive down, at the position `x`.
     ///
     /// ```
     /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
@@ -222,7 +223,8 @@ mod tests {
         assert_eq!(at([4.0, 4.0]), [0.0, 0.0, 0.0, 0.0, 0.0, -0.75, -1.0]);
     }
 
-    /// For a force F at the distance a on a beam of length 4, R₀ = F (1 − a/4) and R_l = F a/4.
+    /// For a force F at the distance a from the left end of a beam of length 4, the static reactions at the left and
+    /// the right end are R₀ = F (1 − a/4) and R_l = F a/4.
     #[test]
     fn the_resultant_and_its_position_follow_from_the_static_reactions() {
         let found = existence(&beam().with_load(Load::point_force(1.0, 4.0)));
@@ -254,7 +256,7 @@ mod tests {
             Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
         };
         let beam = beam();
-        // The rotation is scaled to |r| = 1 at the end that is farther from the contact point.
+        // The rotation is scaled so that the end farther from the contact point moves up or down by 1.
         assert_eq!(with_contact(&beam, &[[1.0; 2]]), turns(-1.0 / 3.0, 1.0));
         assert_eq!(with_contact(&beam, &[[3.0; 2]]), turns(-1.0, 1.0 / 3.0));
         assert_eq!(with_contact(&beam, &[[1.0; 2], [3.0; 2]]), Verdict::Unique);

@@ -46,7 +46,8 @@ pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     mechanism.free_groups().into_iter().map(ray).collect()
 }
 
-/// Returns the sum of the absolute values of all contributions to the static reactions \[N\].
+/// Returns the sum of the absolute values of all contributions of the loads to the static reactions \[N\]. The static
+/// reactions are the support forces of a chain of rigid beams that is supported at its two ends and at its free hinges.
 pub(crate) fn size_of_loads(model: &Model) -> f64 {
     static_reactions(&model.loads, &Mechanism::of(model).nodes).iter().map(|sum| sum.size).sum()
 }

@@ -1,13 +1,13 @@
-//! Computes the end forces of ground without contact from its end settlements by two-ports, (2.2)–(2.5) of Kikuchi's paper.
+//! Computes the end forces of a stretch of ground without contact from its end settlements, (2.2)–(2.5) of Kikuchi's paper.
 //!
-//! Two-ports in series form the inverse of the paper's matrix (5.8) of Green's function (2.4). This inverse is
-//! tridiagonal, so the full matrix (5.8) is never formed.
+//! Unloaded ground, −(μu')' + ku = 0, acts between the two ends of a stretch like three springs, which form a
+//! *two-port*. One spring connects the ends (`series`), and one spring is under each end (`shunt_left`, `shunt_right`).
+//! A uniform two-port of length h has the series stiffness √(kμ)/sinh(bh) and the shunt stiffnesses √(kμ)·tanh(bh/2),
+//! with b = √(k/μ). All three stiffnesses are positive. Two two-ports in series form one two-port. Its stiffnesses are
+//! sums, products and quotients of positive numbers, so no digits cancel.
 //!
-//! Unloaded ground, −(μu')' + ku = 0, acts between two points of its surface like three springs. One spring
-//! connects the points (`series`), and one spring is under each point (`shunt_left`, `shunt_right`). A uniform
-//! two-port of length h has the series stiffness √(kμ)/sinh(bh) and the shunt stiffnesses √(kμ)·tanh(bh/2),
-//! with b = √(k/μ). All three stiffnesses are positive. Two two-ports in series form one two-port. Its
-//! stiffnesses are sums, products and quotients of positive numbers, so no digits cancel.
+//! The two-ports of consecutive stretches have a tridiagonal stiffness matrix. This matrix is the inverse of the
+//! paper's matrix (5.8) of Green's function (2.4), so the full matrix (5.8) is never formed.
 
 use crate::model::GroundOutside;
 use crate::model::outside::OutsideLayer;
@@ -15,7 +15,7 @@ use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
 use crate::numeric::polynomial::{Coefficients, jet, value};
 use crate::numeric::real::Real;
 
-/// A stretch of unloaded ground between two points of its surface.
+/// The three springs that are equivalent to a stretch of unloaded ground between two points of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct TwoPort<R = f64> {
     /// Stiffness of the spring between the left and the right point \[N/m\].
@@ -27,7 +27,7 @@ pub(crate) struct TwoPort<R = f64> {
 }
 
 impl<R: Real> TwoPort<R> {
-    /// The two-port of a uniform stretch of length h, with k > 0 and μ > 0.
+    /// The two-port (the three equivalent springs) of a uniform stretch of ground of length h, with k > 0 and μ > 0.
     pub fn uniform(k: R, mu: R, h: f64) -> Self {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
@@ -75,8 +75,9 @@ impl<R: Real> TwoPort<R> {
     }
 }
 
-/// Number of power series coefficients of the ground displacement u along a stretch with varying k or μ. If the stretch
-/// is at most two decay lengths long, the first omitted term is about 1/20! of the first term.
+/// Number of power series coefficients of the ground displacement u about the middle of a stretch with varying k or μ.
+/// The ends are at most one decay length √(μ/k) from the middle, so the first omitted term is about 1/20! of the first
+/// term.
 const SURFACE_TERMS: usize = 20;
 
 /// A coefficient of these power series is neglected if its magnitude is below this fraction of the first coefficient.
@@ -112,8 +113,9 @@ impl<R: Real> Pair<R> {
                 if used.iter().all(|c| c.value().abs() < NEGLIGIBLE) {
                     break;
                 }
-                // The coefficient of s^(j+2) in u follows from the coefficient of sʲ in the equation
-                // (μu')' = a² k u. The derivatives are with respect to s, and a is half the length.
+                // Equating the coefficients of sʲ in (μu')' = a² k u gives the coefficient of s^(j+2) in the ground
+                // displacement u. Primes are derivatives with respect to s, which is −1 and 1 at the ends of the
+                // stretch, and a is half the length of the stretch.
                 let push: R = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| *k * *c).sum();
                 let mut flux = push * (half * half) / (j + 1) as f64;
                 for (i, mu) in shear.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 1) {
@@ -149,8 +151,9 @@ impl<R: Real> Pair<R> {
         self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()
     }
 
-    /// Returns the two-port of the stretch. The product of μ and the Wronskian of the solutions `one` and `rising` is
-    /// constant. The series stiffness is this product divided by the determinant of `amplitudes`.
+    /// Returns the two-port (the three equivalent springs) of the stretch of ground. Its series stiffness is μ times
+    /// the Wronskian of the solutions `one` and `rising`, divided by the determinant of `amplitudes`. The numerator is
+    /// constant along the stretch.
     pub fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let slope = |end: f64| {
@@ -198,7 +201,8 @@ fn condensed<R: Real>(behind: R, layer: &OutsideLayer<R>) -> R {
     link.shunt_left + link.series * (R::ONE - follows(&link, behind))
 }
 
-/// Returns u at the right end of a two-port if u = 1 at its left end and a spring is under its right end.
+/// Returns the ground displacement at the right end of a two-port if the displacement at its left end is 1. The right
+/// end rests on a spring of stiffness `spring`.
 fn follows<R: Real>(link: &TwoPort<R>, spring: R) -> R {
     if spring.value() == f64::INFINITY {
         return R::ZERO;
@@ -228,8 +232,8 @@ pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance:
 /// Length of the pieces into which ground out of contact is divided, in decay lengths √(μ/k). On such a piece, a
 /// polynomial represents the ground displacement to rounding error.
 pub(crate) const PIECE: f64 = 2.0;
-/// Distance from an end of ground out of contact, in decay lengths √(μ/k), at which the ground displacement
-/// counts as zero. e⁻⁴⁰ is below rounding error.
+/// Farther than this many decay lengths √(μ/k) from both ends of a stretch of ground without contact, the ground
+/// displacement counts as zero, because e⁻⁴⁰ is below rounding error.
 const FAR: f64 = 40.0;
 
 /// Adds to `cuts` the positions at which a stretch of ground without contact is divided near both ends of the stretch,

@@ -1,4 +1,4 @@
-//! Computes contact pressures and forces of the beam bonded along its whole length, as candidates for the first lift-off.
+//! Computes contact pressures and forces of a beam bonded along its whole length, to find where lift-off begins.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -100,8 +100,8 @@ fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usiz
 /// Divides c(s) by 1 + s if `end` is −1, and by 1 − s if `end` is 1. Both divisors are positive between the
 /// ends.
 fn without_root(c: &mut Coefficients, end: f64) {
-    // The division begins at the highest power. Its remainder is rounding error, because the polynomial is zero
-    // at this end.
+    // Synthetic division divides c(s) by the linear factor of its root s = `end`, from the highest power down. The
+    // remainder is c(`end`), which is zero up to rounding error.
     let mut carried = 0.0;
     for a in c.iter_mut().rev() {
         let quotient = if end < 0.0 { *a - carried } else { carried - *a };
@@ -216,8 +216,8 @@ mod tests {
         near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
     }
 
-    /// The two deflections have nodes at different positions. The nodes of both deflections together divide the
-    /// beam into parts. On Winkler ground, the pressure is p = k w on each part.
+    /// The deflections under the constant and the increasing loads are given on meshes with different nodes. The nodes
+    /// of both meshes together divide the beam into parts. On Winkler ground, the pressure is p = k w on each part.
     #[test]
     fn two_meshes_are_merged_at_all_of_their_nodes() {
         let model = on(Foundation::winkler(2.0));
@@ -270,7 +270,7 @@ mod tests {
         assert_eq!(roots(&springs().with_support(pin(2.0)), right), [(-1.0, 1)]);
         let both = springs().with_support(clamp(2.0)).with_support(pin(4.0));
         assert_eq!(roots(&both, right), [(-1.0, 2), (1.0, 1)]);
-        // Only roots at the ends of the part are returned, not a root at an end of the cell outside the part.
+        // A root at an end of the cell is returned only if this end is also an end of the part.
         assert_eq!(roots(&both, [2.5, 4.0]), [(1.0, 1)]);
         assert_eq!(roots(&both, [2.0, 3.5]), [(-1.0, 2)]);
         assert_eq!(roots(&springs().with_support(Support::spring(0.0, 1.0, 1.0)), left), []);
@@ -294,7 +294,7 @@ mod tests {
     /// |c| (6 + 9 j/a) to the sum of the absolute values of the terms of each force.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
-        // The deflection is w = 3 + x, or w = 5 + 2 s with s = (x − 2)/2.
+        // The deflection is w = 3 + x. In terms of s = (x − 2)/2, it is w = 5 + 2 s.
         let of = found(&on(Foundation::pasternak(4.0, 9.0)), &[], &[3.0, 1.0]);
         let [(a, left), (b, right)] = &forces_of(&of)[..] else { panic!("two ends") };
         assert_eq!((*a, *b), (0.0, 4.0));

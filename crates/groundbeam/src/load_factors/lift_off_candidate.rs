@@ -1,11 +1,11 @@
-//! Computes the load factor at which a contact pressure or force becomes tensile, from its constant and its increasing part.
+//! Computes the load factor λ at which a contact pressure or force becomes tensile, if the pressure or force is linear in λ.
 
 use crate::numeric::polynomial::{Coefficients, derivative, value};
 use crate::numeric::roots::sign_changes;
 
-/// A contact pressure on a stretch of the beam, or a concentrated contact force. At the load factor λ its value
-/// is the polynomial `staying` + λ · `growing` in s ∈ \[−1, 1\]. First lift-off occurs when the value becomes
-/// negative.
+/// A contact pressure on a stretch of the beam, or a concentrated contact force. At the load factor λ, the pressure is
+/// the polynomial `staying` + λ · `growing` in the local coordinate s ∈ \[−1, 1\] of the stretch. For a force, both
+/// polynomials are constants. Lift-off begins where the pressure or force becomes negative.
 #[derive(Debug, Clone)]
 pub(super) struct LiftOffCandidate {
     pub x: [f64; 2],
@@ -13,9 +13,10 @@ pub(super) struct LiftOffCandidate {
     pub growing: Side,
 }
 
-/// One part of a contact pressure or force: the part due to the constant loads, or the part due to the
-/// increasing loads at load factor 1. `coefficients` are those of a polynomial in s ∈ \[−1, 1\], and `size`
-/// is the sum of the absolute values of its terms.
+/// One part of a contact pressure or force: the part due to the constant loads, or the part due to the increasing loads
+/// at load factor 1. `coefficients` are the coefficients of this part as a polynomial in s ∈ \[−1, 1\]. `size` is the
+/// sum of the absolute values of the terms from which the part is computed. The rounding error of the part is relative
+/// to `size`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Side {
     pub coefficients: Coefficients,
@@ -62,8 +63,8 @@ impl LiftOffCandidate {
         factor * self.growing.size <= SUM_ROUNDING * self.staying.size
     }
 
-    /// Returns the coordinate s of the most negative pressure at a factor, or `None` if no pressure is
-    /// negative.
+    /// Returns the local coordinate s ∈ \[−1, 1\] at which the pressure is most negative for the load factor `factor`.
+    /// Returns `None` if the pressure is nowhere negative beyond rounding error.
     fn tension_at(&self, factor: f64) -> Option<f64> {
         let (stays, grows) = (&self.staying, &self.growing);
         let (coefficients, size) = if factor.is_finite() {
@@ -107,8 +108,8 @@ mod tests {
         Side { coefficients: coefficients.into(), size }
     }
 
-    /// Returns a candidate on the beam from x = 1 to x = 5. For each of its two polynomials, the sum of the
-    /// absolute values of the terms is 1.
+    /// Returns a candidate on the beam from x = 1 to x = 5, from the coefficients of the constant and of the increasing
+    /// pressure. Rounding errors are relative to 1 for both pressures.
     fn between_1_and_5(staying: &[f64], growing: &[f64]) -> LiftOffCandidate {
         LiftOffCandidate { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
     }
@@ -128,14 +129,15 @@ mod tests {
         let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
         near(s, -0.5);
         near(least, -0.0625);
-        // On [−1, 1] the polynomial 3 + s − s² has the lower bound 3 − 1 − 1 = 1. This bound is not negative, so
-        // it is returned in place of the minimum, with the position s = −1.
+        // On [−1, 1], 3 + s − s² is at least 3 − 1 − 1 = 1. Because this lower bound is not negative, `lowest` does not
+        // search for the minimum. It returns the bound, with the left end s = −1 as the position.
         assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
         assert_eq!(lowest(&[]), (-1.0, 0.0));
     }
 
-    /// The pressure 2 − λ (1 + s) first becomes zero at s = 1, for λ = 1. The pressure 1 + s² − λ (1 + s) has
-    /// the minimum 1 − λ − λ²/4 at s = λ/2. This minimum is zero for λ = 2√2 − 2.
+    /// λ is the load factor, and s is the local coordinate, from −1 to 1. The pressure 2 − λ (1 + s) first becomes zero
+    /// at s = 1, for λ = 1. The pressure 1 + s² − λ (1 + s) has the minimum 1 − λ − λ²/4 at s = λ/2. This minimum is
+    /// zero for λ = 2√2 − 2.
     #[test]
     fn the_factor_of_first_tension_agrees_with_closed_forms() {
         let at = |of: &LiftOffCandidate, from: f64| of.first_tension_below(from).expect("tension");
@@ -164,8 +166,9 @@ mod tests {
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
 
-    /// A pressure is tensile if it is below −256 ε times the sum of the absolute values of its terms, with the
-    /// machine epsilon ε. The terms are those of the constant loads, and λ times those of the increasing loads.
+    /// The pressure at the load factor λ has a part of size 2 due to the constant loads and a part of size 3λ due to
+    /// the increasing loads. The size of a part is the sum of the absolute values of its terms. The pressure counts as
+    /// tensile if it is below −256 ε (2 + 3λ), with the machine epsilon ε.
     #[test]
     fn tension_exceeds_rounding_error() {
         let constant = |part: f64| {
@@ -181,8 +184,8 @@ mod tests {
         };
         assert_eq!(grows(2.9).tension_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).tension_at(f64::INFINITY), Some(-1.0));
-        // The absolute values of the terms sum to 2 for the constant loads and to 3 for the increasing loads. So
-        // a factor λ counts as zero if 3λ is at most 256 ε · 2, with the machine epsilon ε.
+        // The absolute values of the terms of the pressure add up to 2 for the constant loads and to 3λ for the
+        // increasing loads at the load factor λ. So λ counts as zero up to 256 ε · 2/3, with the machine epsilon ε.
         assert!(constant(0.0).is_nothing(SUM_ROUNDING * 0.66));
         assert!(!constant(0.0).is_nothing(SUM_ROUNDING * 0.67));
         // The pressure of this candidate is zero at every load factor, so it is never tensile.

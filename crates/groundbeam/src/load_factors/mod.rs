@@ -4,12 +4,12 @@
 //! at trial values of λ.
 //!
 //! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
-//!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). The beam is in full contact if and
-//!   only if all of them are nonnegative. They are then the Lagrange multiplier of the contact problem, which
-//!   has a unique solution. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors
-//!   without tensile pressure form an interval. Newton's method from above decreases to the upper end of this
-//!   interval without passing it (`lift_off_candidate.rs`). With one-way supports the problem is piecewise linear
-//!   (`one_way.rs`).
+//!   forces are p_D + λ p_G. Here p_D is due to the loads D and the initial gap, and p_G is due to the loads G
+//!   (`bonded.rs`). The beam is in full contact if and only if the pressure and all concentrated forces are
+//!   nonnegative. They are then the Lagrange multiplier of the contact problem, which has a unique solution.
+//!   The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without tensile pressure
+//!   form an interval. Newton's method from above decreases to the upper end of this interval without passing it
+//!   (`lift_off_candidate.rs`). With one-way supports the problem is piecewise linear (`one_way.rs`).
 //! * *Loss of equilibrium.* The loads must do negative work in each free rigid motion
 //!   ([`existence`](crate::existence)). This work is linear in λ, so the factor is the first root of a few
 //!   linear functions.
@@ -256,7 +256,7 @@ mod tests {
                 let less = model.clone().with_load(triangle.scaled(-0.25));
                 near(lift_off(last(&less)).0, 4.0, 1e-12);
                 near(loss(last(&less)), 4.0, 1e-14);
-                // Any upward load lifts off the end at which the pressure is zero.
+                // The pressure is zero at one end of the beam, so any upward load lifts this end off the ground.
                 let pulled = model.with_load(Load::uniform_force(0.0, l, -1e-3));
                 assert_eq!(last(&pulled).first_lift_off, FirstLiftOff::AtOnce);
             }
@@ -281,7 +281,8 @@ mod tests {
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));
         assert_eq!(last(&model).loss_of_equilibrium, LossOfEquilibrium::Never);
-        // A clamp prevents rotation, so the curvature of the pressure decides the first lift-off.
+        // At a clamp on Winkler ground, the pressure and its slope are zero. So the curvature of the pressure decides
+        // whether the beam lifts off beside the clamp.
         let mut clamped = model.clone();
         clamped.supports[0] = Support::fixed(0.0);
         clamped.loads[1] = Load::point_force(0.5, -1.0);
@@ -325,8 +326,9 @@ mod tests {
 
     #[test]
     fn the_gap_acts_with_the_constant_loads() {
-        // A rigid beam on Winkler ground carries a uniform load over a constant gap. The gap does not change
-        // the pressure, so the beam lifts off at the moment M = F l/6.
+        // A rigid beam of length l on Winkler ground carries a uniform load with the resultant F. The initial gap is
+        // constant, so it does not change the pressure. The beam lifts off when the moment of the loads about its
+        // middle reaches M = F l/6.
         let ground = Foundation::winkler(1.0);
         let footing = rigid(ground)
             .with_load(Load::uniform_force(0.0, 1.0, 1.0))
@@ -377,9 +379,9 @@ mod tests {
         assert_eq!(motion.work.to_bits(), 0);
     }
 
-    /// A hinge divides the beam in the middle. The right piece has no load and can lift without work, so the left piece
-    /// determines the load factor of the loss of equilibrium. A load q on [0, l/2] and an increasing upward force λ at
-    /// the left end act on the left piece. The static reaction at the left end becomes zero at λ = ql/4.
+    /// A hinge divides the beam of length l in the middle. Only the left half is loaded: by the load q on [0, l/2] and,
+    /// at its left end, by an upward force equal to the load factor λ. Equilibrium is lost at λ = ql/4, because q alone
+    /// causes the reaction ql/4 at the left end of a simply supported left half.
     #[test]
     fn an_unloaded_piece_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {

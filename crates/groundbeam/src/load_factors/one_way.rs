@@ -1,14 +1,13 @@
-//! The factor of first lift-off on one-way supports, over ranges of factors with the same active supports.
+//! Computes the load factor of first lift-off with one-way supports, by ranges of the factor with the same active supports.
 //!
-//! A beam in contact along its whole length is a linear problem except for its one-way supports. For fixed
-//! active supports, the force of each active support and the clearance of each inactive support are linear in
-//! λ. Together they form a linear complementarity problem with a positive definite matrix, because the ground
-//! alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a factor.
-//! In each step, the first support that violates its condition changes between active and inactive. The
-//! condition applies to the margin at the factor or, if this margin is zero, to its rate (K. G. Murty, *Note on
-//! a Bard-type scheme for solving the complementarity problem*, Opsearch 11 (1974) 123–130). The set of active
-//! supports is valid up to the factor at which the first force or clearance becomes zero. At this factor the
-//! next range begins.
+//! While the beam is in contact along its whole length, the problem is linear except for the one-way supports. For
+//! fixed active supports, the force of each active support and the clearance of each inactive support are linear in the
+//! load factor λ. Together they form a linear complementarity problem with a positive definite matrix, because the
+//! ground alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a factor.
+//! In each step, the first support whose force or clearance is negative, or is zero and decreases with λ, changes
+//! between active and inactive (K. G. Murty, *Note on a Bard-type scheme for solving the complementarity problem*,
+//! Opsearch 11 (1974) 123–130). The set of active supports is valid up to the factor at which the first force or
+//! clearance becomes zero. At this factor the next range begins.
 
 use crate::cancel::Cancel;
 use crate::contact::state::ContactState;
@@ -33,8 +32,8 @@ const MOST_CHANGES: usize = 2000;
 /// about this relative accuracy.
 const ZERO_FORCE: f64 = 1e-11;
 
-/// At the factor of the loss of equilibrium no certificate exists, because nothing supports the beam. The fields
-/// are computed at this fraction of that factor.
+/// At the load factor at which equilibrium is lost, no certificate exists. The fields are therefore computed at no more
+/// than `BEFORE_LOSS` times this load factor.
 const BEFORE_LOSS: f64 = 1.0 - 1e-6;
 
 /// A range of factors with the same active supports.
@@ -249,8 +248,8 @@ mod tests {
             vec![],
             vec![bearing(0.0, 0.4)],
             vec![bearing(0.0, 0.4), hold_down(LENGTH, 0.3)],
-            // At F = ql/2 the depth of the right end is 1.8, so the beam does not touch a bearing at the depth
-            // 1.9.
+            // When the force at the right end is half the total load ql, the right end is at the depth 1.8. So it does
+            // not touch a bearing at the depth 1.9.
             vec![bearing(LENGTH, 1.9)],
             vec![bearing(0.0, 0.55), bearing(LENGTH, 1.9)],
         ] {
@@ -298,13 +297,14 @@ mod tests {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
-            // The load q alone would press the beam down by 0.6, so a bearing under the left end at the depth
-            // 0.58 carries a force. The beam leaves this bearing at F = (0.6 − 0.58) kl/2, before it meets the
-            // bearing under the middle.
+            // The deflection under the load q alone is 0.6, so a bearing under the left end at the depth 0.58 carries a
+            // force. A force F at the right end raises the left end by 2F/(kl). So the beam leaves this bearing at F =
+            // (0.6 − 0.58) kl/2, before it meets the bearing under the middle.
             leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
             leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
         }
-        // The beam would meet a bearing at the depth 0.91 only at F = ql/2 + 0.1, after the first lift-off.
+        // The beam lifts off when the force at the right end reaches ql/2 = 3. It would meet a bearing under the middle
+        // at the depth 0.91 only when this force reaches 3.1.
         leaves_the_left_end(lift_off(RIGID, &[bearing(0.5 * LENGTH, 0.91)]), 0.5 * WEIGHT);
     }
 
@@ -316,9 +316,9 @@ mod tests {
         assert_eq!(lift_off(RIGID, &[hold_down(0.0, 2.0)]), FirstLiftOff::AtOnce);
     }
 
-    /// A rigid beam of length l on Winkler ground k carries the load q. Under its left end is a bearing at the
-    /// depth δ = 0.4. By equilibrium, the bearing force is (q − kδ) l/4 = 1/2, and the right end is at the depth
-    /// δ + 3(q − kδ)/(2k) = 0.7. So a hold-down of the right end at the depth 0.5 has a clearance of 0.2.
+    /// A rigid beam of length l = 2 on Winkler ground with k = 5 carries the load q = 3. A bearing under its left end
+    /// is at the depth δ = 0.4. By equilibrium, the bearing force is (q − kδ) l/4 = 1/2, and the depth of the right end
+    /// is δ + 3(q − kδ)/(2k) = 0.7. So the right end is 0.2 below a hold-down at the depth 0.5.
     #[test]
     fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)
@@ -360,7 +360,8 @@ mod tests {
             panic!("tension")
         };
         assert!(found.why.reached() > found.why.tolerance());
-        // Below F = 1 the bearing pushes the beam up. Above F = 1 the bearing would have to pull the beam down.
+        // If the force at the right end is less than 1, the bearing pushes the beam up. If this force exceeds 1, the
+        // bearing would have to pull the beam down.
         assert_eq!(proves(0.9, true), Ok(()));
         assert!(proves(0.9, false).is_err() && proves(1.1, true).is_err());
     }

@@ -88,9 +88,10 @@ impl<'a> Parts<'a> {
                     LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
             }
         }
-        // If neither the constant nor the increasing loads do work in some rigid motion, existence depends on
-        // the concentrated contact forces that a shear layer or a support can exert. This is checked at one load
-        // factor below the smallest factor at which the work in another rigid motion becomes positive.
+        // If neither the constant nor the increasing loads do work in some rigid motion, existence depends on the
+        // concentrated contact forces that a shear layer or a support can exert. It is enough to check existence at one
+        // load factor. This factor must be smaller than every factor at which the work in another rigid motion becomes
+        // positive.
         let within = if least.is_finite() { 0.5 * least } else { 1.0 };
         match existence(&self.at(within)).verdict {
             Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
@@ -102,10 +103,13 @@ impl<'a> Parts<'a> {
 /// The factor beyond which no equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LossOfEquilibrium {
-    /// No equilibrium exists at any factor, however small. In this rigid motion the beam presses nowhere on the ground,
-    /// and the constant loads do positive work. If the constant loads do no work, the increasing loads at factor 1 do
-    /// positive work. If the loads do no work, one of them needs a concentrated contact force that the ground cannot
-    /// exert.
+    /// No equilibrium exists at any load factor, however small. In this rigid motion the beam presses nowhere on the
+    /// ground, and one of three cases applies:
+    ///
+    /// * The constant loads do positive work.
+    /// * The constant loads do no work, and the increasing loads do positive work.
+    /// * Neither the constant nor the increasing loads do work, and one of the loads needs a concentrated contact force
+    ///   that the ground cannot exert.
     AtOnce(RigidMotion),
     /// An equilibrium exists for every factor below `factor`, but for no factor slightly above it.
     At {

@@ -1,12 +1,12 @@
 //! A cell: a part of beam and ground within which all given quantities are polynomials.
 
 use crate::ground::link::{between, settled, slope_between};
-use crate::mesh::varying::GroundStretch;
-use crate::model::{CellPolynomial, Foundation, Profile};
+use crate::mesh::ground_stretch::{GROUND, GroundStretch};
+use crate::model::{CellPolynomial, Profile};
 use crate::numeric::dual::Dual;
-use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
+use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value, values};
 use crate::numeric::real::Real;
-use crate::numeric::roots::is_free_of_zeros;
+use crate::numeric::roots::varies_little;
 
 /// A part of beam and ground in which EI, k and μ are constant or polynomials. The loads, the imposed curvature
 /// κ₀ and the initial gap g₀ are linear in this part.
@@ -34,9 +34,10 @@ pub(crate) struct Cell<R = f64> {
     pub gap: [R; 2],
     /// Slope g₀' of the initial gap. It is bitwise equal in all cells between two corners of the gap.
     pub gap_slope: R,
-    /// Distributed load q on the ground, at both ends \[N/m\].
+    /// Distributed load q on the ground at both ends of the cell \[N/m\].
     pub ground_load: [R; 2],
-    /// Homogeneous part u₀ − q/k of the free-field settlement [u₀](crate::mesh::free_field) at both ends \[m\].
+    /// Homogeneous part u₀ − q/k of the free-field settlement [u₀](crate::mesh::free_field) at both ends of the cell
+    /// \[m\]. Here q is the distributed load on the ground.
     pub homogeneous_field: [R; 2],
     /// Point force on the ground at the left end of the cell \[N\].
     pub ground_force: R,
@@ -54,13 +55,6 @@ pub(crate) struct Varies<R = f64> {
     /// at their common end.
     shear_layer_ends: Option<[R; 2]>,
 }
-
-/// Number of coefficients that are stored for each of k and μ, as polynomials of the position in a cell.
-pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
-
-/// Radius of a circle around a cell's middle, in half lengths, inside which EI, S + N, k and μ must have no complex
-/// zero. The series of their reciprocals then converge like the powers of 1/`ZERO_FREE_RADIUS`.
-pub(super) const ZERO_FREE_RADIUS: f64 = 10.0;
 
 impl<R: Real> Cell<R> {
     /// Returns the coefficients of w − g₀ from those of the deflection w, with the initial gap g₀. In contact, w − g₀
@@ -97,7 +91,7 @@ impl<R: Real> Cell<R> {
         (self.subgrade / self.shear_layer).sqrt() * self.length()
     }
 
-    /// Returns the free-field settlement u₀ and its derivative u₀′ at s.
+    /// Returns the free-field settlement u₀ and its slope du₀/dx at the local coordinate s ∈ \[−1, 1\] of the cell.
     pub fn free_field_at(&self, s: f64) -> [R; 2] {
         if !self.has_free_field() {
             return [R::ZERO; 2];
@@ -112,8 +106,8 @@ impl<R: Real> Cell<R> {
         u
     }
 
-    /// Returns the coefficients of the free-field settlement u₀(s). Cells with a free field are short enough for a
-    /// power series of u₀.
+    /// Returns the coefficients of the free-field settlement u₀ as a power series in the local coordinate s of the
+    /// cell. Cells with a free field are short enough for such a series.
     pub fn free_field(&self) -> Coefficients<R> {
         let mut c = if self.shear_layer.value() > 0.0 {
             settled(
@@ -170,7 +164,7 @@ impl<R: Real> Cell<R> {
         Coefficients::from(&curvature.map(|c| self.stiffness * c)[..])
     }
 
-    /// Coefficients of the bending stiffness EI as a polynomial of s ∈ \[−1, 1\] in the cell.
+    /// Coefficients of the bending stiffness EI as a polynomial in the local coordinate s ∈ \[−1, 1\] of the cell.
     pub fn stiffness_along(&self) -> [R; Profile::MOST] {
         with_first(self.stiffness, &self.varies.stiffness)
     }
@@ -180,12 +174,12 @@ impl<R: Real> Cell<R> {
         GroundStretch { subgrade: self.subgrade_along(), shear_layer: self.shear_layer_along() }
     }
 
-    /// Coefficients of the subgrade modulus k as a polynomial of s ∈ \[−1, 1\] in the cell.
+    /// Coefficients of the subgrade modulus k as a polynomial in the local coordinate s ∈ \[−1, 1\] of the cell.
     pub fn subgrade_along(&self) -> [R; GROUND] {
         with_first(self.subgrade, &self.varies.subgrade)
     }
 
-    /// Coefficients of the stiffness μ of the shear layer as a polynomial of s ∈ \[−1, 1\] in the cell.
+    /// Coefficients of the shear-layer stiffness μ as a polynomial in the local coordinate s ∈ \[−1, 1\] of the cell.
     pub fn shear_layer_along(&self) -> [R; GROUND] {
         with_first(self.shear_layer, &self.varies.shear_layer)
     }
@@ -195,7 +189,7 @@ impl<R: Real> Cell<R> {
         self.varies.shear_layer_ends.unwrap_or([self.shear_layer; 2])
     }
 
-    /// Returns k and μ at s.
+    /// Returns k and μ at the local coordinate s of the cell.
     pub fn ground_at(&self, s: f64) -> [R; 2] {
         if !self.ground_varies() {
             return [self.subgrade, self.shear_layer];
@@ -203,7 +197,7 @@ impl<R: Real> Cell<R> {
         [value(&self.subgrade_along(), s), value(&self.shear_layer_along(), s)]
     }
 
-    /// Returns k, μ and dμ/ds at s.
+    /// Returns k, μ and dμ/ds at the local coordinate s of the cell.
     pub fn ground_rising_at(&self, s: f64) -> [R; 3] {
         if !self.ground_varies() {
             return [self.subgrade, self.shear_layer, R::ZERO];
@@ -214,8 +208,7 @@ impl<R: Real> Cell<R> {
 
     /// Whether EI, k and μ vary little enough for short power series.
     pub fn is_smooth(&self) -> bool {
-        let is_free = |c: &[R]| is_free_of_zeros(&values(c), ZERO_FREE_RADIUS);
-        (!self.beam_varies() || is_free(&self.stiffness_along()))
+        (!self.beam_varies() || varies_little(&values(&self.stiffness_along())))
             && (!self.ground_varies() || self.ground().is_smooth())
     }
 
@@ -226,7 +219,7 @@ impl<R: Real> Cell<R> {
         uneven.is_none_or(|shear| {
             let mut both = values(&shear);
             both[0] += axial_force;
-            is_free_of_zeros(&both, ZERO_FREE_RADIUS)
+            varies_little(&both)
         })
     }
 
@@ -236,7 +229,7 @@ impl<R: Real> Cell<R> {
         !self.ground_varies() || self.ground().is_short(half)
     }
 
-    /// The part of the cell between two values of s.
+    /// The part of the cell between two values of its local coordinate s.
     pub fn part(&self, s: [f64; 2]) -> Self {
         let linear = |v: [R; 2]| s.map(|s| initial(v, s));
         let mut part = Cell {
@@ -379,28 +372,24 @@ impl Cell {
     }
 }
 
-/// Returns the values of dual numbers, without their derivatives.
-pub(super) fn values<R: Real>(c: &[R]) -> Coefficients {
-    c.iter().map(|c| c.value()).collect()
-}
-
 fn with_first<R: Real, const N: usize, const REST: usize>(first: R, rest: &[R; REST]) -> [R; N] {
     let mut all = [first; N];
     all[1..].copy_from_slice(rest);
     all
 }
 
-/// Returns the sum of the initial gap g₀ and the free-field settlement u₀ at s in a cell.
+/// Returns the sum of the initial gap g₀ and the free-field settlement u₀ at the local coordinate s of a cell.
 pub(crate) fn gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial_gap_at(cell, s) + cell.free_field_at(s)[0]
 }
 
-/// Returns the initial gap g₀ at s in a cell.
+/// Returns the initial gap g₀ at the local coordinate s of a cell.
 pub(crate) fn initial_gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial(cell.gap, s)
 }
 
-/// Returns the value at s of a linear function from its values at both ends of the cell.
+/// Returns the value of a linear function at the local coordinate s ∈ \[−1, 1\] of a cell, from its values at both ends
+/// of the cell.
 pub(crate) fn initial<R: Real>([left, right]: [R; 2], s: f64) -> R {
     (left + right) * 0.5 + (right - left) * 0.5 * s
 }

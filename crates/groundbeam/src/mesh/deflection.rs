@@ -108,9 +108,9 @@ impl Deflection<'_> {
         zone.from == zone.to && s.abs() == 1.0 && self.held_zeros(cell)[usize::from(s > 0.0)] > 0
     }
 
-    /// Order of the zero that a rigid support causes at each end of a cell in ψ, the deflection minus the initial gap
-    /// and the free-field settlement. The order is 2 if a clamp gives ψ = ψ' = 0 up to rounding error, 1 if a support
-    /// gives only ψ = 0, and 0 otherwise.
+    /// Returns the order of the zero of ψ that a rigid support causes at each end of a cell. ψ is the deflection minus
+    /// the initial gap and the free-field settlement. The order is 2 if a clamp gives ψ = ψ' = 0 up to rounding error,
+    /// 1 if a support gives only ψ = 0, and 0 otherwise.
     pub fn held_zeros(&self, cell: usize) -> [usize; 2] {
         let coefficients = self.cell(cell);
         let is_rounding = |value: f64, size: f64| value.abs() <= SUM_ROUNDING * size;
@@ -147,8 +147,8 @@ pub(crate) fn pressure_of<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) ->
     pressure
 }
 
-/// Computes the coefficients of the contact pressure under a deflection w from the coefficients of w on a stretch of
-/// half length `half`. The initial gap and the loads on the ground are taken into account.
+/// Computes the coefficients of the contact pressure from those of the deflection w, on a stretch of half length
+/// `half`. The pressure includes the effects of the initial gap and of the loads on the ground.
 pub(crate) fn pressure_under<R: Real>(
     cell: &Cell<R>,
     half: f64,

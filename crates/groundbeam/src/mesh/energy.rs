@@ -10,7 +10,7 @@ use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{TERMS, derivative, jet, product, rescale, value};
 use crate::numeric::real::Real;
 
-/// Deflection and rotation of the beam, with [`TERMS`] coefficients for each cell.
+/// Deflection and rotation of the beam. Each is a polynomial with [`TERMS`] coefficients in every cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a, R = f64> {
     pub deflection: &'a [R],
@@ -90,10 +90,10 @@ pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
     work
 }
 
-/// Computes the work that the ground reactions do in a displacement δ of the beam. The reactions are those of ground
-/// that is bonded on `zones` to a surface with the settlement ψ, where ψ is the deflection minus the gap. If `zones`
-/// is the contact set of ψ, the work is the first variation of the ground energy. Both ψ and δ are polynomials on the
-/// same mesh.
+/// Computes the work that the ground reactions do in a displacement δ of the beam. The ground is bonded to the beam on
+/// `zones` and settles there by ψ, the deflection minus the initial gap and the free-field settlement. If `zones` is
+/// the contact set of ψ, the work is the first variation of the ground energy. In each cell of the mesh, ψ and δ are
+/// polynomials.
 pub(crate) fn ground_work<R: Real>(
     mesh: &Mesh<R>,
     zones: &[MeshZone],
@@ -147,8 +147,8 @@ pub(crate) fn ground_work<R: Real>(
     work
 }
 
-/// Computes ∫ (κ f g + N f' g') dx over the part from `from` to `to` of a cell, for constants κ and N and polynomials
-/// f and g. The length of the whole cell is h.
+/// Computes ∫ (κ f g + N f' g') dx between the local coordinates `from` and `to` of a cell of length h. κ and N are
+/// constants, and f and g are polynomials.
 pub(crate) fn energy_form<R: Real>(
     h: f64,
     (kappa, tension): (R, R),

@@ -16,7 +16,7 @@ use crate::model::{GroundOutside, Model};
 use crate::numeric::elementary::{exp, expm1};
 use crate::numeric::real::Real;
 
-/// Stretch of ground with constant k and μ and with a linear distributed load.
+/// Stretch of ground with constant k and μ under a distributed load that varies linearly.
 #[derive(Debug, Clone, Copy)]
 struct Strip<R> {
     x: [f64; 2],
@@ -25,7 +25,7 @@ struct Strip<R> {
     load: [R; 2],
 }
 
-/// A load on the ground: a point force, or a linear distributed load.
+/// A load on the ground: a point force, or a distributed load that varies linearly.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GroundLoad<R = f64> {
     /// Positions of both ends of the load \[m\]; the two positions of a point force are equal.
@@ -126,9 +126,9 @@ fn work<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> R {
         if strip.load == [R::ZERO; 2] {
             continue;
         }
-        // On each strip, the settlement is q/k + e, with the load q and the homogeneous part e. The load q does the
-        // work ∫q²/k through the settlement q/k. Its work through e equals the work of the equivalent end forces
-        // through e.
+        // On each strip, the settlement is q/k + e, with the load q and a solution e of the equation for unloaded
+        // ground. So the work of q is ∫q²/k dx + ∫q e dx. The second integral is the sum, over both ends of the strip,
+        // of the equivalent force of q times the value of e.
         let length = strip.x[1] - strip.x[0];
         work += (a * a + a * b + b * b) * (length / 3.0) / strip.spring;
         if strip.shear.value() > 0.0 {
@@ -153,7 +153,7 @@ pub(crate) fn at<R: Real>(line: &Line<R>, right: bool, cells: &[Cell<R>], distan
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
-            // A strip that extends to infinity has no load, and cannot be interpolated between its ends.
+            // A strip without load may extend to infinity, so its load is not interpolated between its ends.
             if strip.load == [R::ZERO; 2] {
                 return R::ZERO;
             }
@@ -277,7 +277,7 @@ fn homogeneous<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) ->
     homogeneous
 }
 
-/// Maximum distance between a point force and the node at which this force acts.
+/// Largest distance from a node at which a point force counts as acting at this node.
 fn same_node(at: f64, length: f64) -> f64 {
     16.0 * f64::EPSILON * (at.abs() + length)
 }

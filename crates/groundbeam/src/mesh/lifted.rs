@@ -71,9 +71,9 @@ impl Mesh {
         }
     }
 
-    /// Replaces the derivatives in the mesh `into` by those with respect to the parameters of `rates`. Before the
-    /// call, only the cells in `varied` have nonzero derivatives. Returns the cells whose derivatives may be nonzero
-    /// after the call.
+    /// Sets the derivatives of all data of the mesh `into` to those with respect to the parameters of `rates`. Before
+    /// the call, only the cells in `varied` have nonzero derivatives. Returns the cells whose derivatives may be
+    /// nonzero after the call.
     pub fn vary<const N: usize>(
         &self,
         rates: &Rates,

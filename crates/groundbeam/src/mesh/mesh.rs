@@ -72,16 +72,17 @@ impl Mesh {
         Self::cut(model, more, |cell, x| x.extend(cell.cuts(parts(cell))))
     }
 
-    /// Builds a mesh as [`Self::build`] does, but first halves the cells whose data vary too much for short power
-    /// series. `cut` appends the positions at which a cell is divided.
+    /// Builds a mesh with the required nodes and with nodes at the positions `more`. The intervals between these nodes
+    /// are halved until short power series represent the data of each cell. Then `cut` appends the positions at which
+    /// each of these cells is divided further.
     pub fn graded(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let axial = model.beam.axial_force;
         Self::cut(model, more, |cell, x| graded(cell, axial, &cut, x))
     }
 
     /// Halves the intervals between the required nodes as [`Self::graded`] does, and calls `each` for every resulting
-    /// cell. The second argument of `each` is the number of parts that the free-field settlement needs in the
-    /// interval that contains the cell. Returns the number of intervals.
+    /// cell. The second argument of `each` is the number of equal parts into which the interval of the cell must be
+    /// divided for a short power series of the free-field settlement. Returns the number of intervals.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &required_positions(model, &[]));
         let axial = model.beam.axial_force;
@@ -92,8 +93,8 @@ impl Mesh {
         coarse.len()
     }
 
-    /// Builds a mesh. Each interval between the required nodes and the positions `more` is divided at the positions
-    /// that `cut` appends.
+    /// Builds a mesh. The required nodes and the positions `more` divide the beam into intervals, and `cut` appends the
+    /// positions at which each interval is divided further.
     fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let coarse = cells_between(model, &required_positions(model, more));
         let mut x = Vec::with_capacity(2 * coarse.len());
@@ -124,7 +125,8 @@ impl Mesh {
         mesh
     }
 
-    /// Marks the nodes at which w' may jump because the shear force S(w' − φ) or S jumps.
+    /// Marks the nodes at which w' may jump because the shear force S·(w' − φ) or the shear stiffness S jumps. φ is the
+    /// rotation of the cross-section.
     fn find_kinks(&mut self) {
         for i in 1..self.cells.len() {
             let [left, right] = [&self.cells[i - 1], &self.cells[i]];
@@ -274,7 +276,8 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     cells
 }
 
-/// Computes the data of all cells except the free field. These data are linear in the data of the model.
+/// Computes all data of the cells except the free-field settlement. The computed data depend linearly on the data of
+/// the model.
 pub(super) fn cells_of(model: &Model, x: &[f64]) -> Vec<Cell> {
     let even = |stiffness: f64| CellPolynomial::constant(stiffness).coefficients;
     let mut cells: Vec<Cell> = x
@@ -367,7 +370,7 @@ fn add_distributed(cell: &mut Cell, load: &Load) {
     load.extent.add_to(into, cell.x);
 }
 
-/// Initial gap g₀(x), which is linear between corners and constant beyond the outermost corners.
+/// Initial gap g₀(x). It is linear between its corners, and constant before the first and after the last corner.
 fn initial_gap(model: &Model, x: f64) -> f64 {
     let corners = &model.gap;
     let right = corners.partition_point(|corner| corner.at < x);
@@ -379,7 +382,7 @@ fn initial_gap(model: &Model, x: f64) -> f64 {
     }
 }
 
-/// Slope g₀'(x) of the initial gap, which is 0 beyond the outermost corners.
+/// Slope g₀'(x) of the initial gap. The slope is 0 before the first and after the last corner of the gap.
 fn gap_slope(model: &Model, x: f64) -> f64 {
     let right = model.gap.partition_point(|corner| corner.at < x);
     match (right.checked_sub(1).map(|i| model.gap[i]), model.gap.get(right)) {

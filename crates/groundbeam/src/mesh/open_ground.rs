@@ -1,4 +1,4 @@
-//! Two-ports of the ground out of contact between two points, from a mesh.
+//! Computes the equivalent springs (two-ports) of ground without contact between two points of a mesh.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -48,10 +48,10 @@ pub(crate) fn open_link<R: Real>(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// Returns the three equivalent springs (the [`TwoPort`]) of the ground between two points, separately for each cell.
-/// Beam and ground are not in contact between the points. The [`GroundRun`] is a series of cells that all have a shear
-/// layer. If `from` is `None`, all ground on the left of `to` is included, also outside the run. If `to` is `None`, all
-/// ground on the right of `from` is included, also outside the run.
+/// Returns the three equivalent springs (the [`TwoPort`]) of the ground in each cell between the points `from` and
+/// `to`. The beam is not in contact with the ground there. Both points lie in `run`, a series of cells with a shear
+/// layer. If `from` is `None`, all ground on the left of `to` is included, also outside `run`. If `to` is `None`, all
+/// ground on the right of `from` is included, also outside `run`.
 pub(crate) fn open_links<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,

@@ -1,15 +1,9 @@
-//! Pressures, integrals and two-ports of a cell whose beam or ground data vary.
+//! Computes ground pressure, energy integrals and two-ports (equivalent springs) for a cell whose beam or ground data vary.
 
 use crate::ground::link::TwoPort;
-use crate::mesh::cell::{Cell, GROUND, ZERO_FREE_RADIUS, values};
-use crate::numeric::polynomial::{
-    Coefficients, derivative, inner, product, rescale, rescale_in_place, value,
-};
+use crate::mesh::cell::Cell;
+use crate::numeric::polynomial::{Coefficients, derivative, inner, product, rescale};
 use crate::numeric::real::Real;
-use crate::numeric::roots::is_free_of_zeros;
-
-/// Maximum number of halvings of a stretch of ground when its two-port is computed.
-const MOST_HALVINGS: u32 = 40;
 
 /// Computes the equivalent springs, a [`TwoPort`], of the ground out of contact in a part of a cell. The part is
 /// divided into stretches in which a power series with few terms represents the ground displacement. The two-ports of
@@ -17,53 +11,7 @@ const MOST_HALVINGS: u32 = 40;
 pub(crate) fn link<R: Real>(cell: &Cell<R>, part: [f64; 2]) -> TwoPort<R> {
     // The local coordinates of the part give its length more accurately than the rounded positions of its ends.
     let half = 0.25 * (part[1] - part[0]) * cell.length();
-    chain(cell.ground().part(part), half, MOST_HALVINGS)
-}
-
-fn chain<R: Real>(ground: GroundStretch<R>, half: f64, halvings: u32) -> TwoPort<R> {
-    if halvings == 0 || (ground.is_short(half) && ground.is_smooth()) {
-        return TwoPort::varying(&ground.subgrade, &ground.shear_layer, half);
-    }
-    let [left, right] =
-        [[-1.0, 0.0], [0.0, 1.0]].map(|s| chain(ground.part(s), 0.5 * half, halvings - 1));
-    left.then(right)
-}
-
-/// k and μ along a stretch of ground, as polynomials of the coordinate s ∈ \[−1, 1\] of the stretch.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct GroundStretch<R> {
-    pub subgrade: [R; GROUND],
-    pub shear_layer: [R; GROUND],
-}
-
-impl<R: Real> GroundStretch<R> {
-    /// The part of the stretch between two values of s.
-    pub fn part(mut self, s: [f64; 2]) -> Self {
-        let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
-        rescale_in_place(&mut self.subgrade, middle, half);
-        rescale_in_place(&mut self.shear_layer, middle, half);
-        self
-    }
-
-    /// Whether k and μ vary little enough for short power series.
-    pub fn is_smooth(&self) -> bool {
-        let is_free = |c: &[R; GROUND]| is_free_of_zeros(&values(c), ZERO_FREE_RADIUS);
-        is_free(&self.subgrade)
-            && (self.shear_layer[0].value() == 0.0 || is_free(&self.shear_layer))
-    }
-
-    /// Whether one short power series represents the surface of the ground without contact. `half` is half the length
-    /// of the stretch.
-    pub fn is_short(&self, half: f64) -> bool {
-        if self.shear_layer[0].value() == 0.0 {
-            return true;
-        }
-        let squared = [-1.0, 0.0, 1.0].map(|s| {
-            let [k, mu] = [&self.subgrade, &self.shear_layer].map(|c| value(c, s));
-            (k / mu).value() * half * half
-        });
-        squared.into_iter().fold(0.0, f64::max) <= 1.0
-    }
+    cell.ground().part(part).two_port(half)
 }
 
 /// Computes the coefficients of the pressure kψ − (μψ')' under a ground settlement ψ, from the coefficients of ψ on a

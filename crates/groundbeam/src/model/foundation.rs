@@ -92,7 +92,7 @@ impl Foundation {
         self
     }
 
-    /// Returns the ground with other ends on the left and on the right.
+    /// Returns the ground with its end conditions on the two sides of the beam replaced by `left` and `right`.
     pub fn with_ends(self, left: GroundEnd, right: GroundEnd) -> Self {
         Foundation { ends: [left, right], ..self }
     }
@@ -135,7 +135,7 @@ impl FoundationSegment {
         (self.subgrade.at_position(ends, x), self.shear_layer.at_position(ends, x))
     }
 
-    /// Polynomials of k and of μ on a stretch of the segment.
+    /// Returns k and μ on the stretch `x` of the segment, each as a polynomial in the local coordinate of the stretch.
     pub(crate) fn courses(&self, x: [f64; 2]) -> [CellPolynomial; 2] {
         [self.subgrade, self.shear_layer].map(|constant| constant.on([self.from, self.to], x))
     }

@@ -3,11 +3,11 @@
 /// The type of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Action {
-    /// Force \[N\], or distributed force \[N/m\]; positive down. On the beam it is fᵢ or f(x) in (4.7) of the paper.
-    /// It may also act on the ground's surface.
+    /// Force \[N\], or distributed force \[N/m\]; positive down. On the beam it is fᵢ or f(x) in (4.7) of Kikuchi's
+    /// paper. It may also act on the ground's surface.
     Force,
-    /// Moment \[N·m\], or distributed moment \[N·m/m\]: gᵢ or g(x) in (4.7) of the paper. A moment is positive if it
-    /// rotates the right side down. A point moment M₀ does the work M₀·w'(x).
+    /// Moment \[N·m\], or distributed moment \[N·m/m\]: gᵢ or g(x) in (4.7) of Kikuchi's paper. A positive moment turns
+    /// the beam clockwise, so that its right end moves down. A point moment M₀ at x does the work M₀·w'(x).
     Moment,
     /// Imposed curvature κ₀ \[1/m\] due to a temperature gradient, shrinkage or a camber. The bending moment is
     /// M = −EI (w″ − κ₀). Like w″, κ₀ is positive if it bends the ends of the beam down. An imposed curvature does no
@@ -112,7 +112,7 @@ impl Extent {
         }
     }
 
-    /// Adds the sizes of the load at both ends of the interval `x` to `sum`.
+    /// Adds the values of the distributed load at both ends of the interval `x` to `sum`.
     pub(crate) fn add_to(&self, sum: &mut [f64; 2], x: [f64; 2]) {
         for (sum, x) in sum.iter_mut().zip(x) {
             *sum += self.at(x);

@@ -52,13 +52,13 @@ pub struct Model {
     pub supports: Vec<Support>,
     /// Hinges inside the beam. Empty if the beam has no hinges.
     pub hinges: Vec<Hinge>,
-    /// Corners of the initial clearance between beam and ground, which is linear between them. Empty if the clearance
-    /// is zero.
+    /// Corners of the initial clearance between beam and ground. The clearance is linear between neighbouring corners.
+    /// Empty if the clearance is zero.
     pub gap: Vec<GapPoint>,
 }
 
 impl Model {
-    /// Creates a model of a beam on a foundation, without loads, supports, hinges and gap.
+    /// Creates a model of a beam on a foundation, without loads, supports or hinges, and without an initial gap.
     pub fn new(beam: Beam, foundation: Foundation) -> Self {
         Model {
             beam,

@@ -1,4 +1,4 @@
-//! Divides the ground outside the beam into stretches with constant k and μ, from the segments and the ends of the foundation.
+//! Divides the ground outside the beam into stretches with constant k and μ, at the ends of the foundation segments.
 
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;

@@ -60,7 +60,8 @@ impl Problem {
         self
     }
 
-    /// Replaces `{0}`, `{1}`, … in `text` by the positions in `numbers`. `write` formats each position.
+    /// Replaces `{0}`, `{1}`, … in `text` by the entries of `numbers`, which are positions along the beam. `write`
+    /// formats each of these positions.
     pub fn fill(&self, text: &str, write: impl Fn(f64) -> String) -> String {
         let mut filled = text.to_owned();
         for (i, &number) in self.numbers.iter().enumerate() {
@@ -129,7 +130,8 @@ pub(crate) fn positive(
     }
 }
 
-/// Requires that all control values are positive, so that the profile is positive everywhere.
+/// Requires that all control values of a quantity that varies along the beam are positive. Then the quantity is
+/// positive everywhere.
 pub(crate) fn positive_along(
     found: &mut Vec<Problem>,
     code: &'static str,

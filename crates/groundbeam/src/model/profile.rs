@@ -25,7 +25,7 @@ pub struct Profile {
 
 impl Profile {
     /// Maximum number of control values (Bernstein coefficients). Six values describe a polynomial of degree 5, such
-    /// as E b d³/12 with linear modulus E, width b and depth d.
+    /// as E b d³/12 if the modulus E, the width b and the depth d vary linearly.
     pub const MOST: usize = 6;
 
     /// Creates a constant profile.
@@ -120,7 +120,7 @@ impl Profile {
         Self::of(&self.between(a, b)[..self.count])
     }
 
-    /// Returns the mirrored quantity.
+    /// Returns the profile of the quantity with the left and the right end of the segment exchanged.
     pub fn mirrored(mut self) -> Self {
         self.values[..self.count].reverse();
         self

@@ -11,8 +11,8 @@ pub(crate) struct Refusal {
     hint: &'static str,
 }
 
-/// Refusal of a method with concentrated pressures at the nodes, (5.5) of Kikuchi's paper, on ground that violates μ > 0,
-/// (4.9) of this paper.
+/// Refuses ground with μ = 0 under the beam. A method with pressures concentrated at the nodes, (5.5) of Kikuchi's
+/// paper, needs μ > 0, (4.9) of the paper.
 pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
     code: "GB603",
     message: "the concentrated pressures at the nodes in this method need a shear layer, but mu is zero somewhere under the beam",

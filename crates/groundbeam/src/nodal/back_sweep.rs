@@ -22,17 +22,18 @@ const RIGHT: f64 = 1.0;
 struct Back {
     node: usize,
     w: f64,
-    /// Rotation of the beam at the current node. Within a stretch, the rotation is multiplied by the element length.
+    /// Rotation of the beam at the current node. Within a stretch, this field contains the rotation times the element
+    /// length, which has the unit of a deflection.
     turn: f64,
     /// Force at the current node from the ground under the previous element and from the springs at the node.
     taken: f64,
     /// Deformation variables (e₁, e₂) of the previous element, as defined for [`Form`].
     e: [f64; 2],
-    /// Number of stretches of the beam that remain in the back-substitution.
+    /// Number of stretches of the beam that the back-substitution has not yet completed.
     stretches: usize,
-    /// Number of elements that remain in the current stretch.
+    /// Number of elements of the current stretch that the back-substitution has not yet processed.
     within: usize,
-    /// Number of elements that remain in all stretches.
+    /// Number of elements of all stretches that the back-substitution has not yet processed.
     elements: usize,
 }
 
@@ -154,9 +155,9 @@ fn recross<const SWEEPS: usize>(
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];
-            // After the last element of a stretch, the current node is the first node of the stretch. Counting one
-            // node per element would be wrong for a span out of contact, because its single element covers many
-            // nodes.
+            // Each step leads to the neighbouring node, except in a span out of contact, which is one element that
+            // covers many nodes. The last step in a stretch therefore leads to the stored node at the end of the
+            // stretch.
             node[lane] = match (within[lane], towards[lane] == LEFT) {
                 (0, _) => stretches[lane].node,
                 (_, true) => node[lane] - 1,

@@ -12,7 +12,7 @@
 use crate::element::element::Element;
 use crate::mesh::cell::Cell;
 
-/// Maximum length of an element relative to √(EI/P).
+/// Maximum length of an element relative to √(EI/P), with the magnitude P of the axial force.
 pub(crate) const LONGEST_ELEMENT: f64 = 1.0;
 
 /// Number of coefficients of the power series of the deflection w in s = x/h, with the distance x from the left end of
@@ -45,8 +45,9 @@ pub(crate) struct Beam {
     load: [f64; 2],
     /// Resultant ∫f dx of the distributed force f on the element.
     force: f64,
-    /// Moment of the loads about the left end, divided by the element length h: ∫(f x + g) dx/h with the distributed
-    /// force f and the distributed moment g.
+    /// Moment of the loads on the element about its left end, divided by the element length h. The integral is
+    /// ∫(f x + g) dx/h over the element, with the distance x from the left end, the distributed force f and the
+    /// distributed moment g.
     turn: f64,
     /// Distributed moment g at the right end of the element.
     moment_right: f64,
@@ -180,7 +181,8 @@ impl Given {
         all.iter().all(|v| v[0] == v[1])
     }
 
-    /// Part of the stretch between two fractions of its length.
+    /// Returns the loads and the imposed curvature on the part of the stretch from the fraction `a` to the fraction
+    /// `b` of its length.
     pub fn part(&self, [a, b]: [f64; 2]) -> Self {
         let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
         Given {

@@ -62,7 +62,7 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
             (1, Extent::Distributed { from, to, start, end }) => {
                 turns += 0.5 * (start + end) * (to - from);
             }
-            // An imposed curvature has no force and no moment.
+            // An imposed curvature adds neither a force nor a moment to the loads.
             _ => {}
         }
     }

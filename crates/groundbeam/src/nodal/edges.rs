@@ -18,8 +18,8 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if held || model.varying_part().is_some() {
         return None;
     }
-    // The initial guess neglects shear deformation. Elements with shear deformation are power series, which take ten
-    // times as long and more memory.
+    // The initial guess neglects shear deformation. With shear deformation, the deflection of each element is a power
+    // series, whose computation takes ten times as long and needs more memory.
     let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     if Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
         return None;
@@ -68,12 +68,15 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Co
     Some(Coarse { grid, workspace, edges })
 }
 
-/// Distance between two required positions, in units of 1/(wave number), up to which the number of elements of the
-/// interval increases with the distance. For longer intervals, the number of elements is constant.
+/// The number of elements between two neighbouring positions at which the model requires a node increases with their
+/// distance, but only up to this distance. The unit of the distance is 1/λ, with the wave number λ of the beam on its
+/// ground.
 const MOST_COARSE: f64 = 64.0;
 
-/// Elements per 1/(wave number) on a mesh whose contact edges are the initial guess of the exact method.
+/// Number of elements per length 1/λ, with the wave number λ of the beam on its ground, on a mesh whose contact edges
+/// serve as the initial guess of the exact method.
 pub(crate) const PER_WAVE: f64 = 4.0;
 
-/// Maximum length of a beam, in units of 1/(wave number), for which a mesh provides the initial guess.
+/// Maximum length of a beam for which a mesh provides the initial guess. The unit of the length is 1/λ, with the wave
+/// number λ of the beam on its ground.
 pub(crate) const MOST_WAVES: f64 = 1e5;

@@ -1,11 +1,14 @@
-//! Energy of a beam element and its ground, as a function of displacements y and deformations e of the element.
+//! Energy of a beam element and its ground, as a function of the displacements of one end and the deformations of the element.
 //!
-//! A [sweep](super::sweep) eliminates the elements one after another, from one end of the beam. The left end of an
-//! element has the displacements x = (w, Lθ), with the deflection w, the rotation θ and the element length L. The
-//! right end has the displacements x' = (w', Lθ') = T x + d, with T = \[\[1, 1\], \[0, 1\]\] and the deformation d of
-//! the element. The variable y = T⁻¹x' = (w' − Lθ', Lθ') contains the displacements that the left end would have if
-//! the element were rigid. The variable e = y − x = T⁻¹d is the effect of the deformation. Hence w = y₁ − e₁,
-//! Lθ = y₂ − e₂ and w' − w = y₂ + e₁.
+//! A [sweep](super::sweep) eliminates the elements one after another, from one end of the beam. Let L be the length
+//! of an element. Its left end has the deflection w₁ and the rotation θ₁, and its right end has the deflection w₂ and
+//! the rotation θ₂. The displacements of the two ends are x₁ = (w₁, Lθ₁) and x₂ = (w₂, Lθ₂).
+//!
+//! A rigid element has x₂ = T x₁ with T = \[\[1, 1\], \[0, 1\]\]. The deformation of the element is d = x₂ − T x₁.
+//! The energy is a function of two other variables. The variable y = T⁻¹x₂ = (w₂ − Lθ₂, Lθ₂) contains the
+//! displacements that the left end would have for the same x₂ if the element were rigid. The variable e = y − x₁ =
+//! T⁻¹d is the difference to the actual displacements of the left end. Hence w₁ = y₁ − e₁, Lθ₁ = y₂ − e₂ and
+//! w₂ − w₁ = y₂ + e₁.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
@@ -39,7 +42,8 @@ pub(crate) struct Form {
 impl Form {
     /// Returns the energy of a beam element without ground as a [`Form`], from its length L, its stiffness matrix for
     /// (Lθ, d₁, L d₂) and its load vector for (w, Lθ, d₁, L d₂). Here w and θ are the deflection and the rotation of
-    /// the left end, and (d₁, d₂) is the deformation of the element.
+    /// the left end. The deformations d₁ and d₂ are the deflection and the rotation of the right end relative to a
+    /// rigid motion with the left end. The factor L gives all variables the unit of length.
     pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
         let [tt, t1, t2, d11, d12, d22] = stiffness;
         let [qw, qt, q1, q2] = load;
@@ -69,8 +73,8 @@ impl Form {
         Form::beam(*length, stiffness, [*qw, qt * per, *q1, q2 * per])
     }
 
-    /// Adds ground that is out of contact between the two ends of the element. `gap` is the sum of the initial gap
-    /// and the free-field settlement at the two ends.
+    /// Adds ground that is out of contact between the two ends of the element. For each end, `gap` contains the sum
+    /// of the initial gap and the free-field settlement.
     pub fn on(mut self, link: TwoPort, gap: [f64; 2]) -> Self {
         // The elongation of the series spring is the difference of the end deflections minus the rise of the gap.
         let (c, rise) = (link.series, gap[1] - gap[0]);
@@ -103,7 +107,7 @@ impl Form {
         self
     }
 
-    /// Whether all elements of the run have the same load.
+    /// Whether all elements of the row of equal elements have the same load vector.
     pub fn is_even(&self) -> bool {
         self.dq == [0.0; 6]
     }

@@ -1,7 +1,7 @@
 //! Nodes and elements of the discrete problem, from a model.
 //!
-//! The grid stores runs of equal elements between the required positions, not single elements. Each run has only one
-//! element where EI, k or μ varies, where the beam has shear deformation, and where loads act on the ground.
+//! The grid stores rows of equal elements, not single elements. A row has only one element where EI, k or μ varies,
+//! where the beam has shear deformation, and where loads act on the ground.
 
 use super::beam::{Beam, LONGEST_ELEMENT};
 use super::form::Form;
@@ -31,8 +31,9 @@ pub(crate) struct Run {
     /// Sum of the initial gap and the free-field settlement at the first and the last node of this row. The sum is
     /// linear between these nodes.
     pub gap: [f64; 2],
-    /// Beam element without ground, if stiffness or ground varies along this row, if the beam has shear deformation
-    /// or if loads act on the ground. Such a row has only one element. `None` for a row of equal elements.
+    /// Beam element without ground, if the row cannot be divided into equal elements. This is so where stiffness or
+    /// ground varies, where the beam has shear deformation, and where loads act on the ground. `None` for a row of
+    /// equal elements.
     pub element: Option<Element>,
     /// First node of this row of equal elements.
     pub first: usize,
@@ -42,8 +43,8 @@ pub(crate) struct Run {
     pub h: f64,
     /// Two-port of the ground under one element.
     pub link: TwoPort,
-    /// Energy of the first element of this row in the direction of elimination, with ground bonded to both ends of
-    /// the element. The entries are for the elimination from the left and from the right end of the beam.
+    /// Energy of the elements of this row, with ground bonded to both ends of each element. The first entry is for
+    /// the elimination from the left end of the beam, and the second entry for the elimination from the right end.
     pub bonded: [Form; 2],
     /// Uniform ground under this row of equal elements.
     pub layer: Layer,
@@ -95,8 +96,8 @@ impl Run {
         run
     }
 
-    /// Computes the energy of the first element of this row in the direction of elimination, with ground bonded to
-    /// both ends of the element. If `mirrored` is true, the elimination begins at the right end of the beam.
+    /// Computes the energy of the elements of this row, with ground bonded to both ends of each element. If
+    /// `mirrored` is true, the energy is for the elimination from the right end of the beam.
     fn first_bonded(&self, axial_force: f64, mirrored: bool) -> Form {
         let turned = |pair: [f64; 2]| if mirrored { [pair[1], pair[0]] } else { pair };
         let link = if mirrored { self.link.mirrored() } else { self.link };
@@ -177,7 +178,7 @@ impl Run {
         let at = |node: usize| match node - self.first {
             0 => -1.0,
             steps if steps == self.count => 1.0,
-            // The position is computed from the nearer end of the run.
+            // The coordinate of the node is computed from the nearer end of the row of equal elements.
             steps if 2 * steps <= self.count => 2.0 * steps as f64 / count - 1.0,
             steps => 1.0 - 2.0 * (self.count - steps) as f64 / count,
         };
@@ -232,7 +233,7 @@ fn springs(cell: &Cell, h: f64) -> TwoPort {
     TwoPort { series: 0.0, shunt_left: left, shunt_right: right }
 }
 
-/// Raises EI until the waves of the beam on its ground are no shorter than an element.
+/// Raises EI until the waves of the deflection are no shorter than the length `h`.
 fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
     let tension = axial_force.max(0.0) + cell.shear_layer;
     let least = STIFF * h * h * (tension + cell.subgrade * h * h);
@@ -244,8 +245,8 @@ fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
 /// Discretisation of the ground, whose forces act at the nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ground {
-    /// Ground reactions as point forces at the nodes, (5.5) of the paper. Between the nodes, the ground displacement
-    /// is an exact solution.
+    /// Ground reactions as point forces at the nodes, (5.5) of the paper. Between the nodes, the displacement of the
+    /// ground is the exact solution for unloaded ground.
     Nodal,
     /// Ground reactions as point forces at the nodes. The shear layer is linear between the nodes, and the springs
     /// are lumped at the nodes by the trapezoidal rule. This rule is also used if an element is longer than the decay
@@ -264,8 +265,8 @@ pub(crate) struct Grid {
     /// Stiffness of the ground outside the left and the right end of the beam; √(kμ) if this ground is uniform and
     /// infinite.
     pub outside: [f64; 2],
-    /// Whether each contact zone may be wrong by one node. This is allowed if the next grid is only a few times
-    /// finer.
+    /// Whether the iteration on this grid may stop while one node per contact zone still changes between contact and
+    /// no contact. This is accurate enough if the next grid is only a few times finer.
     pub rough: bool,
     /// Whether the sum of the initial gap and the free-field settlement is zero everywhere.
     pub flat: bool,
@@ -274,21 +275,22 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Creates a grid of about `elements` equal elements, with a node at every required position.
+    /// Creates a grid of about `elements` equal elements, with a node at every position where the model requires a
+    /// node.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
     }
 
-    /// Creates a grid as [`Grid::new`] does, but raises EI where the waves of the beam on its ground are shorter than
-    /// an element.
+    /// Creates a grid as [`Grid::new`] does, but raises EI until the waves of the deflection are no shorter than an
+    /// element.
     pub fn stiffened(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
     }
 
     /// Creates a grid. For each cell, `divide` returns two values: the minimum number of elements, and a length. EI
-    /// is raised where the waves of the beam on its ground are shorter than this length.
+    /// is raised until the waves of the deflection are no shorter than this length.
     pub fn cut(model: &Model, ground: Ground, divide: impl Fn(&Cell) -> (usize, f64)) -> Self {
         let axial_force = model.beam.axial_force;
         let count = |cell: &Cell| {
@@ -399,8 +401,8 @@ impl Grid {
         run.first + steps.min(run.count)
     }
 
-    /// Splits the elements between two nodes into parts that belong to one row of equal elements each. A part is given
-    /// by the index of its row, its first node and its last node.
+    /// Splits the elements between two nodes into parts, each within one row of equal elements. A part is given by
+    /// the index of its row, its first node and its last node.
     pub fn parts(&self, from: usize, to: usize) -> impl Iterator<Item = (usize, usize, usize)> {
         let first = self.run_at(from);
         let ends = self.runs[first..].iter().take_while(move |run| run.first < to);
@@ -416,14 +418,16 @@ impl Grid {
         links.reduce(TwoPort::then)
     }
 
-    /// Two-port of the ground out of contact to the left of a node, including the ground outside the beam.
+    /// Two-port of all ground to the left of a node, including the ground outside the beam. This ground is out of
+    /// contact.
     pub fn left_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node)];
         let [before, _] = run.beyond;
         if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
-    /// Two-port of the ground out of contact to the right of a node, including the ground outside the beam.
+    /// Two-port of all ground to the right of a node, including the ground outside the beam. This ground is out of
+    /// contact.
     pub fn right_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node.max(1) - 1)];
         let [_, after] = run.beyond;

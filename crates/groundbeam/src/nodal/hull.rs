@@ -11,7 +11,8 @@ use crate::ground::link::TwoPort;
 /// Contact zone, given by its first and its last node.
 pub(crate) type Zone = [usize; 2];
 
-/// Obstacle problem at the nodes for ψ, the deflection minus the initial gap and the free-field settlement.
+/// Obstacle problem at the nodes for ψ = w − g₀ − u₀, with the deflection w, the initial gap g₀ and the free-field
+/// settlement u₀.
 pub(crate) struct Hull<'a> {
     pub grid: &'a Grid,
     pub deflection: &'a [f64],
@@ -101,8 +102,8 @@ impl Hull<'_> {
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // A row of pressed nodes begins or ends in the block, unless all nodes of the block are like the node
-                // before the block: all pressed by bonded ground, or all not pressed.
+                // If bonded ground presses on all nodes of the block and on the node before the block, or on none of
+                // these nodes, no row of pressed nodes begins or ends in the block.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {
@@ -155,8 +156,9 @@ impl Hull<'_> {
         Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
-    /// Returns the new last node of the contact zone from `from` to `to`: the last node whose ground force is
-    /// compressive if the ground to the right of it is out of contact up to `next`, the first node of the next zone.
+    /// Returns the new last node of the contact zone from `from` to `to`. The ground between the returned node and
+    /// the first node `next` of the next zone is out of contact. The returned node is the last node on which the
+    /// ground then presses.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
         let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
         let presses = |back: usize| {
@@ -190,7 +192,8 @@ impl Hull<'_> {
         from == to && self.open_left(from, before) + self.open_right(from, next) <= 0.0
     }
 
-    /// Calls `each` with every contribution to the ground force at a node in contact.
+    /// Calls `each` for every contribution to the ground forces at the nodes in contact, with the node and the
+    /// contribution.
     pub fn forces(&self, zones: &[Zone], mut each: impl FnMut(usize, f64)) {
         for (i, &[from, to]) in zones.iter().enumerate() {
             let before = i.checked_sub(1).map(|i| zones[i][1]);
@@ -220,8 +223,9 @@ struct Opening {
     rest: Option<Rest>,
 }
 
-/// Equivalent springs of the ground from the end of a row of equal elements to the neighbouring contact zone, or to
-/// the far end of the ground; `None` if this zone begins or ends in the row.
+/// Equivalent springs of the ground between the end of a row of equal elements and the neighbouring contact zone. If
+/// there is no neighbouring zone, they represent all ground beyond the end of the row. `None` if the neighbouring
+/// zone reaches into the row.
 type Rest = Option<TwoPort>;
 
 impl Opening {

@@ -1,8 +1,8 @@
-//! Vector (SIMD) arithmetic with one number per elimination along the beam: one instruction advances one or two eliminations.
+//! Vector (SIMD) arithmetic for one or two eliminations along the beam at the same time, with one number for each elimination.
 
 use std::ops::{Add, Mul, Sub};
 
-/// One number per sweep.
+/// One number for each elimination along the beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lanes<const N: usize>(pub [f64; N]);
 

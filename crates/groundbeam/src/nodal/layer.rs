@@ -18,9 +18,9 @@ impl Layer {
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
     }
 
-    /// Creates uniform ground with nodes at the distance h. The shear layer is linear between nodes, and the springs
-    /// are lumped at the nodes by the trapezoidal rule. The ground displacement at node i is then a multiple of
-    /// e^(±βi), where sinh(β/2) = h√(k/μ)/2 defines β.
+    /// Creates uniform ground with nodes at equal distances h. The shear layer is linear between the nodes, and the
+    /// springs are lumped at the nodes by the trapezoidal rule. On unloaded ground, the displacement at node i is
+    /// then a combination of e^(βi) and e^(−βi), where sinh(β/2) = h√(k/μ)/2 defines β.
     pub fn at_nodes(spring: f64, shear: f64, h: f64) -> Self {
         if shear == 0.0 {
             return Layer::default();
@@ -68,8 +68,8 @@ mod tests {
         }
     }
 
-    /// The equivalent springs of the ground under several elements equal those of the single elements connected in
-    /// series.
+    /// The ground under three equal elements has the same equivalent springs as three two-ports in series, each of
+    /// which represents the ground under one element.
     #[test]
     fn open_ground_at_nodes_is_its_links_in_series() {
         for h in [1e-3, 0.1, 1.0, 30.0] {

@@ -126,8 +126,8 @@ impl Layout {
         Ok(())
     }
 
-    /// Adds the span before the next contact zone, which begins at the node `to`. The span begins at the end of the
-    /// previous zone, the node `behind`, or at the end of the beam if `behind` is `None`.
+    /// Adds the span out of contact between the last node `behind` of one contact zone and the first node `to` of the
+    /// next zone, in the direction of the elimination. If `behind` is `None`, the span begins at the end of the beam.
     fn open(
         &mut self,
         grid: &Grid,
@@ -174,8 +174,8 @@ impl Layout {
         Ok(())
     }
 
-    /// Adds the beam between two nodes and the ground under it, condensed to one element, to the elimination from
-    /// one end of the beam.
+    /// Condenses the beam between two nodes and the ground under this part of the beam to one element. Adds this
+    /// element to the elimination from one end of the beam.
     fn add_span(
         &mut self,
         grid: &Grid,

@@ -10,12 +10,12 @@ const COARSEST: f64 = 1.5;
 const STEP: f64 = 4.0;
 /// Minimum number of elements of a coarse grid whose element count follows from the ratio `STEP`.
 const FEWEST: f64 = 20.0;
-/// Maximum element count of the last coarse grid, relative to that of the required grid, if the coarse grid is
-/// refined to locate the contact edges more accurately.
+/// Maximum ratio of the element count of the finest coarse grid to the element count of the required grid. It limits
+/// a refinement of this coarse grid, which makes the contact edges more accurate.
 const SHARE: f64 = 0.3;
-/// Maximum factor by which a refinement increases the element count of the last coarse grid.
+/// Maximum factor by which a refinement increases the element count of the finest coarse grid.
 const SHARPEST: f64 = 6.0;
-/// The last coarse grid is refined only if its element count grows by more than this factor. A smaller refinement
+/// The finest coarse grid is refined only if its element count grows by more than this factor. A smaller refinement
 /// would cost more solves than it saves.
 const SHARP: f64 = 4.0;
 /// Maximum ratio of the element counts of two successive grids for which the coarser grid counts as `rough`.
@@ -46,8 +46,8 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     loop {
         // If a grid has the element length h, the next coarser grid has the element length √(h/λ), with the wave
         // number λ of the beam. The contact edges of the coarser grid are then accurate to one or two nodes of the
-        // finer grid. The last coarse grid may have a few times more elements, so that its contact edges are at the
-        // correct nodes of the required grid.
+        // finer grid. The finest coarse grid may get up to `SHARPEST` times as many elements as this rule gives, so
+        // that its contact edges are at the correct nodes of the required grid.
         let mut next = (last * waves).sqrt();
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {
@@ -71,8 +71,9 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     coarser
 }
 
-/// Whether a grid resolves the shortest wave of the deflection, with at least `COARSEST` elements per length 1/λ, and
-/// the next grid is less than `FEW` times finer. λ is the largest wave number of the beam on its ground.
+/// Whether the iteration on a grid may stop while one node per contact zone still changes between contact and no
+/// contact. The grid must have at least `COARSEST` elements per length 1/λ, where λ is the largest wave number of the
+/// beam on its ground. The next grid must have fewer than `FEW` times as many elements.
 fn is_rough(grid: &Grid, next: &Grid, waves: f64) -> bool {
     let [elements, finer] = [grid, next].map(|grid| grid.last() as f64);
     elements >= waves * COARSEST && finer < FEW * elements

@@ -15,7 +15,8 @@ use crate::numeric::step::Step;
 const WHOLE_STEPS: usize = 8;
 /// Initial stiffness of the stabilising springs, relative to the stiffness of the ground.
 const SOFTEST_SPRING: f64 = 1e-6;
-/// Factor by which the stiffness of the stabilising springs grows until the system is positive definite.
+/// Factor by which the stiffness of the stabilising springs increases from one trial solve to the next, until the
+/// system is positive definite.
 const STIFFER: f64 = 1e3;
 /// Maximum number of trial solves in one step, each with stiffer stabilising springs.
 const SPRING_TRIALS: usize = 3;
@@ -29,8 +30,7 @@ pub struct Work {
     pub solves: usize,
     /// Number of solves of the linear problem with given contact zones, on the required (finest) grid.
     pub fine_solves: usize,
-    /// Number of elements that are eliminated in all solves together. A stretch out of contact counts as one
-    /// element.
+    /// Total number of elements that all solves have eliminated. A stretch out of contact counts as one element.
     pub elements: usize,
     /// Number of grids.
     pub grids: usize,
@@ -287,11 +287,12 @@ impl Workspace {
         self.zones.iter().map(ends).collect()
     }
 
-    /// Position \[m\] of the contact edge near `node`. This node is one end of a contact zone, and `towards` is the
-    /// other end. At the distance ξ outside `node`, the pressure is assumed to be p₀ + p₁ξ up to the edge at ξ = s.
-    /// Ground out of contact transmits to `node` the fraction e^(−bξ) of the pressure at ξ, with b = √(k/μ). With
-    /// the element length h, the ground force at `node` is therefore F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
-    /// The function solves this equation for s.
+    /// Position \[m\] of the contact edge near `node`, one end of a contact zone. The other end is `towards`.
+    ///
+    /// Let ξ be the distance from `node`, positive away from the zone. The pressure is assumed to be p₀ + p₁ξ up to
+    /// the edge at ξ = s, with the pressure p₀ at `node` and the pressure gradient p₁. A pressure at ξ > 0
+    /// contributes the fraction e^(−bξ) of its force to the ground force F at `node`, with b = √(k/μ). With the
+    /// element length h, this gives F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2. The function solves for s.
     fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
         let x = grid.x(node);
         // At a hinge the slope is discontinuous, so the ground force includes a concentrated force.

@@ -7,19 +7,20 @@ use super::span::Span;
 use crate::ground::link::TwoPort;
 use crate::numeric::elementary::{exp, expm1};
 
-/// Writes the deflection w, or the slope w' if `derivative` is true, at the nodes of a span, except at end
-/// nodes in contact.
+/// Writes the deflection w, or the slope w' if `derivative` is true, at the nodes of a span. The value at an end of
+/// the span is written only if this node is an end of the beam.
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |piece, own| {
-        // Each piece writes the deflection or the slope at its left end node, unless this node is in contact. The
-        // piece at the right end of the beam also writes the deflection or the slope of this end.
+        // The value at a node between two pieces is written by the piece to the right of this node. The value at an
+        // end node of the span is written only if this end node is an end of the beam.
         let ([from, to], length) = (piece.nodes, piece.length);
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
         let sign = if span.mirrored { -1.0 } else { 1.0 };
         let Some((series, terms)) = piece.series(own) else {
-            // This piece is a single element without a closed form, so it has no nodes between its two ends.
+            // A piece without a power series of the deflection is a single element, so it has no nodes between its
+            // ends.
             let [w, theta, d1, d2] = own;
             let ends = if derivative {
                 [sign * theta, sign * (theta + d2)]
@@ -56,7 +57,8 @@ fn values(c: &[f64; NODAL_TERMS], terms: usize, s: impl Fn(usize) -> f64, into: 
     }
 }
 
-/// Number of positions at which a series is evaluated together, so that the processor can overlap the additions.
+/// Number of positions at which one loop evaluates a power series. The sums for different positions are independent,
+/// so the processor can compute them at the same time.
 const WIDTH: usize = 4;
 
 fn horner<const N: usize>(c: &[f64; NODAL_TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {

@@ -12,8 +12,9 @@ const ROUNDING_SLOPE: f64 = 1e-28;
 
 impl Workspace {
     /// Shortens the step δ from the previous to the current deflection by a line search on the energy. The slope of
-    /// the energy along δ is Σ (p − f) δ, with the ground forces p of the obstacle problem and the ground forces f
-    /// of the bonded solves. Returns the step fraction, or `None` if the energy does not decrease along δ.
+    /// the energy along δ is the sum Σ (p − f) δ over all nodes. At a trial deflection, p is the ground force of the
+    /// obstacle problem, and f is the ground force with which the beam is in equilibrium. Returns the step fraction,
+    /// or `None` if the energy does not decrease along δ.
     pub(crate) fn shorten(&mut self, grid: &Grid) -> Option<f64> {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);

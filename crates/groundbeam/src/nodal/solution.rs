@@ -1,4 +1,4 @@
-//! Solution of a long beam at the nodes of its mesh, and the result of its check.
+//! Solution of a long beam at the nodes of its mesh, and the check of equilibrium, tension and penetration in this solution.
 
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Work;
@@ -19,8 +19,8 @@ pub struct NodalSolution {
     pub contact: Vec<[usize; 2]>,
     /// Work of the solve.
     pub work: Work,
-    /// Check of equilibrium and of signs at the nodes. `None` before a solve and for a beam bonded to the
-    /// ground.
+    /// Residuals of equilibrium, largest tensile ground force and largest penetration at the nodes. `None` before a
+    /// solve and for a beam bonded to the ground.
     pub check: Option<NodalCheck>,
     pub(crate) grid: Option<Grid>,
 }
@@ -39,7 +39,7 @@ impl NodalSolution {
     }
 }
 
-/// Check of equilibrium and signs of a [`NodalSolution`].
+/// Residuals of equilibrium, largest tensile ground force and largest penetration in a [`NodalSolution`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalCheck {
     /// Residual |ΣF| of the forces, relative to Σ|F|.

@@ -21,14 +21,14 @@ pub(crate) struct Piece {
     pub length: f64,
     /// Closed form of the deflection of a uniform beam; `None` for a single element without a closed form.
     beam: Option<Beam>,
-    /// Deflection d₁ and rotation t at the start of this piece, relative to a rigid body that moves with the start
-    /// of the span. The rotation t includes the rotation jump of a hinge. Both are linear functions of the
-    /// deflection and the rotation at the start of the span and of the deformations of the span up to the end of
-    /// this piece.
+    /// Coefficients of two linear functions. They give the deflection and the rotation at the start of this piece,
+    /// relative to a rigid body that moves with the start of the span. If the piece starts at a hinge, this is the
+    /// rotation just after the hinge. The functions depend on the deflection and the rotation at the start of the
+    /// span, and on the deflection and the rotation at the end of this piece relative to the same rigid body.
     before: [Row<6>; 2],
-    /// For a hinge at the start of this piece: rotation of the beam just before the hinge, relative to a rigid body
-    /// that moves with the start of the span. It is a linear function of the deflection and the rotation at the
-    /// start of the span, and of the values d₁ and t in `before`.
+    /// Coefficients of a linear function that gives the rotation just before a hinge at the start of this piece,
+    /// relative to a rigid body that moves with the start of the span. The function depends on the deflection and the
+    /// rotation at the start of the span, and on the two values that `before` gives. `None` without a hinge.
     hinge: Option<Row<4>>,
 }
 
@@ -65,15 +65,15 @@ const D: usize = 4;
 /// (w, θ, D₁, D₂, d₁, t).
 const T: usize = 5;
 
-/// Rotational stiffness at a hinge below which the beam is a mechanism, relative to the bending stiffness of
-/// the next piece.
+/// Minimum of the rotational stiffness of a hinge plus the rotational stiffness of the beam before the hinge,
+/// relative to the bending stiffness of the piece after the hinge. Below this minimum, the beam is a mechanism.
 const FREE_HINGE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
 
 impl Span {
-    /// Sets the span to the beam between two nodes. If `mirrored` is true, the span is reflected for the sweep
-    /// from the right. `stand` returns the loads, supports and hinge at a node within the span.
+    /// Builds the span from the beam between two nodes. If `mirrored` is true, left and right are exchanged, for the
+    /// elimination from the right end. `stand` returns the loads, supports and hinge at a node within the span.
     pub fn set(
         &mut self,
         grid: &Grid,
@@ -203,8 +203,8 @@ fn join(
         let mut by = [row.by[0], row.by[1], row.by[2], row.by[3]];
         own.g = [0, 1, 2, 3].map(|i| with_jump.g[i]);
         own.h = std::array::from_fn(|i| std::array::from_fn(|j| with_jump.h[i][j]));
-        // A free hinge transmits exactly zero moment. Any other hinge transmits the fraction `share` of the
-        // moment.
+        // A free hinge transmits exactly zero moment. For given displacements, any other hinge transmits the fraction
+        // `share` of the moment of a beam without hinge.
         let share = spring / (bending + spring);
         for j in 0..4 {
             own.h[3][j] = share * if j == 3 { bending } else { left.stiffness[3][j] };
@@ -214,8 +214,8 @@ fn join(
         by[3] = share;
         piece.hinge = Some(Row { by, constant: row.constant });
     }
-    // The deformation of the stiffer element is eliminated, separately for deflection and rotation. This avoids
-    // differences of large stiffnesses.
+    // The deformation of the stiffer one of the two joined elements is eliminated, separately for deflection and
+    // rotation. This avoids differences of large stiffnesses.
     let by_left = [
         stand.pinned || own.h[2][2] + stand.support > next.stiffness[2][2],
         stand.clamped || own.h[3][3] + stand.turning > next.stiffness[3][3],

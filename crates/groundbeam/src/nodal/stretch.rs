@@ -29,8 +29,9 @@ pub(crate) struct Stretch {
     pub node: usize,
     /// Loads, supports, hinge and springs at the first node of the stretch.
     pub stand: Stand,
-    /// Energy of the first element in the variables (y₁, y₂, e₁, e₂) of [`form`](super::form). `None` for a row
-    /// whose first node has no support.
+    /// Energy of the first element as a function of its displacements (y₁, y₂) and deformations (e₁, e₂), which
+    /// [`form`](super::form) defines. `None` if the stretch is a row of equal elements whose first node has no
+    /// support.
     pub(super) first: Option<Quadratic<4>>,
     /// Array [a, b, c] if the first node has a hinge with the deflection w. The rotation just before the hinge, in
     /// the direction of the elimination, is a w + b θ + c with the rotation θ just after the hinge.
@@ -71,8 +72,9 @@ const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
     [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 
 impl Quadratic<4> {
-    /// Returns the energy of the first element that `form` describes, in the variables (y₁, y₂, e₁, e₂) of
-    /// [`form`](super::form). The two ground springs under the ends of this element (`Form::shunt`) are not included.
+    /// Returns the energy of one element, the first of the equal elements that `form` describes. It is a function of
+    /// the displacements (y₁, y₂) and the deformations (e₁, e₂), which [`form`](super::form) defines. The two ground
+    /// springs under the ends of this element (`Form::shunt`) are not included.
     fn of(form: &Form) -> Self {
         let [yy, y1, y2] = form.m;
         let [e11, e12, e22] = form.e;
@@ -120,9 +122,13 @@ impl Side {
         self.stretches.iter().map(|stretch| stretch.count).sum()
     }
 
-    /// Calls `each` for every element with the deflection and the rotation of its first node and its two deformations.
-    /// The first node and the signs refer to the direction of the elimination. The calls begin at the node where the
-    /// eliminations from both ends of the beam meet. This node has the deflection `w` and the rotation `theta`.
+    /// Calls `each` for every element, from the node where the eliminations from both ends of the beam meet to the
+    /// end of the beam. The meeting node has the deflection `w` and the rotation `theta`.
+    ///
+    /// The first two values for `each` are the deflection and the rotation of the element's outer node, which is
+    /// nearer to the end of the beam. The last two values are the deflection and the rotation of the inner node
+    /// relative to a rigid motion with the outer node. To the right of the meeting node, all rotations have the
+    /// opposite sign.
     pub fn each_element(
         &self,
         mut w: f64,

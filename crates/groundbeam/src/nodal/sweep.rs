@@ -232,7 +232,8 @@ fn cross<const SWEEPS: usize>(
         let (b_less, c_less) = (b - m[1], c - m[2]);
         let (g11, g12, g22) = (a + e[0], b + e[1], c + e[2]);
         let determinant = g11 * g22 - g12 * g12;
-        // The division by `determinant` takes longest, so all values that do not need it are computed first.
+        // The division by `determinant` is slow. The values before `inverse` do not depend on it, so the processor
+        // can compute them during the division.
         let (n11, n21) = (g22 * a - g12 * b, g11 * b - g12 * a);
         let (n12, n22) = (g22 * b_less - g12 * c_less, g11 * c_less - g12 * b_less);
         let (s11, s12) = (a * n11 + b * n21, a * n12 + b * n22);

@@ -1,4 +1,4 @@
-//! Line search: a step along which a convex energy decreases.
+//! Line search: finds a step fraction at which a convex energy along the step has decreased.
 
 /// Largest accepted slope at the end of a line search, relative to the initial slope.
 const REMAINING_SLOPE: f64 = 0.1;

@@ -6,8 +6,9 @@
 use crate::numeric::real::Real;
 use std::ops::{Deref, DerefMut};
 
-/// Number of coefficients of the power series of w and φ in a cell. If |r|·length ≤ 2 for every root r of the
-/// characteristic equation, the first omitted term is below 1/20! of the sum.
+/// Number of coefficients of the power series of the deflection w and the rotation φ about the middle of a cell. If
+/// |r| times half the length of the cell is at most 1 for every root r of the characteristic equation, the first
+/// omitted term is less than 1/20! times the sum of the series.
 pub(crate) const TERMS: usize = 20;
 
 /// Maximum number of coefficients of a polynomial. The product of a rotation and a fifth-degree shear stiffness has
@@ -96,6 +97,11 @@ impl<R: std::fmt::Debug> std::fmt::Debug for Coefficients<R> {
     }
 }
 
+/// Returns the values of dual numbers, without their derivatives.
+pub(crate) fn values<R: Real>(c: &[R]) -> Coefficients {
+    c.iter().map(|c| c.value()).collect()
+}
+
 /// Value of a polynomial f(s).
 pub(crate) fn value<R: Real>(c: &[R], s: f64) -> R {
     c.iter().rev().fold(R::ZERO, |sum, &a| sum * s + a)
@@ -130,7 +136,7 @@ pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
     [even - odd, even + odd]
 }
 
-/// Coefficients of the derivative df/ds.
+/// Coefficients of the derivative df/ds of the polynomial f(s) with the coefficients `c`.
 pub(crate) fn derivative<R: Real>(c: &[R]) -> Coefficients<R> {
     let mut out = Coefficients::zeros(c.len().saturating_sub(1));
     for (j, (out, a)) in out.iter_mut().zip(c.iter().skip(1)).enumerate() {
@@ -139,7 +145,8 @@ pub(crate) fn derivative<R: Real>(c: &[R]) -> Coefficients<R> {
     out
 }
 
-/// Coefficients of the integral `start` + ∫ f dx from s = −1, on a stretch of half length `half`.
+/// Coefficients of the integral of the polynomial with the coefficients `c` over a stretch of the length 2·`half`.
+/// The integral has the value `start` at the left end of the stretch, s = −1.
 pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
     let mut out = Coefficients::zeros(c.len() + 1);
     for ((out, a), part) in out.iter_mut().skip(1).zip(c).zip(&PARTS) {
@@ -149,7 +156,7 @@ pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
     out
 }
 
-/// Factors 1/(j + 1) of the integral of sʲ.
+/// Factors 1/(j + 1) in the integrals s^(j+1)/(j + 1) of the powers sʲ, for j = 0, 1, …
 const PARTS: [f64; MOST_COEFFICIENTS] = {
     let mut all = [0.0; MOST_COEFFICIENTS];
     let mut j = 0;

@@ -36,7 +36,7 @@ pub(crate) trait Real:
     const ZERO: Self;
     const ONE: Self;
 
-    /// Value of the number without its derivatives.
+    /// Value of the number, without its derivatives with respect to the parameters of the model.
     fn value(self) -> f64;
 
     fn sqrt(self) -> Self;

@@ -2,9 +2,19 @@
 
 use super::polynomial::{Coefficients, rescale, value, with_slope};
 
+/// Radius of a circle about s = 0 inside which a polynomial that [varies little](varies_little) has no complex zero.
+const ZERO_FREE_RADIUS: f64 = 10.0;
+
+/// Whether a polynomial varies so little on −1 ≤ s ≤ 1 that the power series of its reciprocal is short. It is short if
+/// the polynomial has no complex zero closer to s = 0 than [`ZERO_FREE_RADIUS`], because the series then converges like
+/// the powers of 1/`ZERO_FREE_RADIUS`.
+pub(crate) fn varies_little(c: &[f64]) -> bool {
+    is_free_of_zeros(c, ZERO_FREE_RADIUS)
+}
+
 /// Whether the polynomial f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. Each
 /// step of the test lowers the degree by one without moving a zero across the circle |s| = `radius`.
-pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
+fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     // |c₀| > Σ|cⱼ| radiusʲ with j ≥ 1 is sufficient (theorem of Rouché).
     let others = c.iter().skip(1).rev().fold(0.0, |sum, a| (sum + a.abs()) * radius);
     if c.first().is_some_and(|first| first.abs() > others) {
@@ -55,9 +65,10 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
 /// Maximum number of halvings of an interval. After this number of halvings the interval counts as a point.
 pub(crate) const DEEPEST: u32 = 40;
 
-/// Finds the sign changes on an interval from the values at its ends. If `ends` is `None`, these values are
-/// computed. Neighbouring intervals use the same value at their common end, so rounding cannot hide a root at
-/// this end.
+/// Appends to `roots` the sign changes of a polynomial on an interval. `c` contains the coefficients of the polynomial
+/// in a coordinate from −1 to 1 along the interval. `ends` contains the values of the polynomial at the ends of the
+/// interval; if `ends` is `None`, these values are computed. Neighbouring intervals use the same value at their common
+/// end, so rounding cannot hide a root at this end.
 fn isolate(c: &[f64], x: [f64; 2], ends: Option<[f64; 2]>, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);

@@ -45,8 +45,8 @@ impl Candidate {
         candidate
     }
 
-    /// Converts a candidate of the model without its inactive supports to a candidate of the whole model. The
-    /// reactions of the inactive supports are zero.
+    /// Converts a candidate of a model from which the inactive supports were removed to a candidate of the whole
+    /// model. The inactive supports get zero reactions.
     pub fn on_one_way_supports(self, model: &Model, acts: &[bool]) -> Self {
         let mut acting = self.reactions.into_iter();
         let reaction = |(support, acts): (&Support, &bool)| {
@@ -116,7 +116,8 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
     let others = || model.supports.iter().map(|support| support.at);
     let span_left = others().filter(|&at| at < x).fold(0.0, f64::max);
     let span_right = others().filter(|&at| at > x).fold(l, f64::min);
-    // `total` computes the transverse force T = V + P w' − g at an end of a piece, with the distributed moment g.
+    // `total` computes the transverse force T = V + P w' − g at an end of a piece, with the axial tension P
+    // and the distributed moment g.
     let total = |piece: &SolutionPiece, s: f64, end: usize| {
         let fields = piece.fields(s);
         fields.shear_force + axial * fields.slope - piece.cell.moment_load[end]

@@ -58,9 +58,9 @@ impl Certificate {
         self.relative_gap
     }
 
-    /// Whether the energy gap is within the rounding error of the loads. Loads that cancel each other or act on rigid
-    /// supports cause little strain energy, but their rounding error is relative to the strain energy of ground and
-    /// beam under each load alone.
+    /// Whether rounding errors of the loads can cause the energy gap of this certificate. Loads that cancel each other
+    /// or act on rigid supports cause little strain energy. The gap is therefore compared with the sum of the strain
+    /// energies that the loads would cause one at a time.
     pub(crate) fn is_rounding_of_loads(&self, model: &Model) -> bool {
         self.gap <= GAP * f64::EPSILON * energy_of_single_loads(model)
     }
@@ -76,10 +76,10 @@ impl Certificate {
     }
 }
 
-/// Estimates the sum of the strain energies of all loads, each acting alone. F is the sum of the absolute values of
-/// all forces, M that of all moments, and l is the beam length. A rigid beam has the energy F²/(k l) + M²/(k l³). A
-/// beam that bends over a wave length a has the energy (M + F a)² a/(EI). A support settlement δ causes the energy EI
-/// (δ/a)²/a.
+/// Estimates the sum of the strain energies of all loads, each acting alone. The estimate adds three energies:
+/// F²/(k l) + M²/(k l³) of a rigid beam, (M + F a)² a/(EI) of a beam that bends over the length a, and EI δ²/a³ of the
+/// largest support settlement δ. F is the sum of the magnitudes of all forces, and M that of all moments. The length a
+/// is (4 EI/k)^¼, but at most the beam length l.
 fn energy_of_single_loads(model: &Model) -> f64 {
     let (l, k, ei) = (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(l);

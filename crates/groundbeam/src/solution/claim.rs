@@ -6,8 +6,8 @@ use crate::solution::candidate::Candidate;
 use crate::solution::fields::{Reaction, Side};
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar, Wide};
 
-/// Distance between beam and support, relative to the larger of the deflection of the beam and the settlement of
-/// the support, below which the beam counts as close to the support.
+/// The beam counts as close to a support if the distance between beam and support is at most this fraction of the
+/// larger of beam deflection and support settlement.
 const CLOSE_TO_SUPPORT: f64 = 1e-6;
 
 /// The proof of a solution.
@@ -206,7 +206,8 @@ fn part(piece: &proof::Piece, x: [f64; 2], open: Option<[f64; 2]>) -> proof::Pie
     let half = 0.5 * (x[1] - x[0]);
     let offset = (0.5 * (x[0] + x[1]) - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
     let ratio = half / piece.half;
-    // Horner's rule for polynomials gives the coefficients of p(offset + ratio t).
+    // `moved` computes the coefficients of p(offset + ratio · t), a polynomial in t, from the coefficients of the
+    // polynomial p by Horner's rule.
     let moved = |coefficients: &[f64]| {
         let mut sum: Vec<f64> = Vec::new();
         for c in coefficients.iter().rev() {

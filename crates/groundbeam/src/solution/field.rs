@@ -1,4 +1,4 @@
-//! The fields of a solution, and a table of their names, texts, symbols, units, magnitudes and signs.
+//! The fields of a solution, and a table of their names, symbols, units, reference magnitudes and sign conventions.
 
 use crate::model::Beam;
 

@@ -113,9 +113,9 @@ pub(crate) mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The test bounds 1 + 2s + 3s² − 4s³ − 5s⁴ + 6s⁵ for −1 ≤ s ≤ 1. To the deviation of this polynomial from the
-    /// straight line between its end values, the terms 3s² and −5s⁴ contribute between −3 and 5, and the terms −4s³ and
-    /// 6s⁵ contribute at most 10 in magnitude.
+    /// The test bounds 1 + 2s + 3s² − 4s³ − 5s⁴ + 6s⁵ for −1 ≤ s ≤ 1. The deviation of this polynomial from the
+    /// straight line between its end values has two parts. The part from 3s² and −5s⁴ lies between −3 and 5. The part
+    /// from −4s³ and 6s⁵ is at most 10 in magnitude.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
@@ -138,8 +138,9 @@ pub(crate) mod tests {
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
-    /// Slope and shear force are derivatives with respect to x: the derivatives with respect to s divided by half the
-    /// length of the piece. In contact, the settlement is the deflection w minus the initial gap g₀.
+    /// The local coordinate s runs from −1 to 1 along the piece. The slope dw/dx and the shear force dM/dx are the
+    /// derivatives of w and M with respect to s, divided by half the length of the piece. In contact, the settlement is the
+    /// deflection w minus the initial gap g₀.
     #[test]
     fn the_hull_of_each_field() {
         let mut of = piece([0.0, 4.0]);
@@ -152,7 +153,7 @@ pub(crate) mod tests {
             (ends, bounds, rounding / f64::EPSILON)
         };
         assert_eq!(bounds_of(Field::Deflection), ([-1.0, 7.0], [-6.0, 11.0], 4.0 * 7.0));
-        // The slope is w′ = (2s + 12s²)/2.
+        // Half the length of the piece is 2, so the slope is dw/dx = (dw/ds)/2 = (2s + 12s²)/2.
         assert_eq!(bounds_of(Field::Slope), ([5.0, 7.0], [-1.0, 7.0], 0.5 * 3.0 * 14.0));
         assert_eq!(bounds_of(Field::Moment), ([-1.0, 5.0], [-3.0, 5.0], 3.0 * 5.0));
         assert_eq!(bounds_of(Field::ShearForce), ([-0.5, 3.5], [-0.5, 3.5], 0.5 * 2.0 * 7.0));

@@ -20,8 +20,8 @@ pub struct ContactZone {
     pub to: f64,
 }
 
-/// The concentrated contact forces p₀ and p_l of (2.6) at the ends of the beam \[N\]. They push the beam up and are
-/// not negative.
+/// The concentrated contact forces p₀ and p_l at the ends of the beam \[N\], (2.6) of Kikuchi's paper. They push the
+/// beam up and are not negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EndForces {
@@ -49,7 +49,7 @@ pub struct Reaction {
     pub at: f64,
     /// Force of the support on the beam, positive upwards \[N\].
     pub force: f64,
-    /// Moment of the support on the beam, positive if it rotates the right side down \[N·m\].
+    /// Moment that the support exerts on the beam, positive clockwise \[N·m\].
     pub moment: f64,
 }
 
@@ -71,8 +71,8 @@ pub struct Fields {
     pub slope: f64,
     /// Rotation φ of the cross-sections \[rad\]. It equals w' where the beam has no shear deformation.
     pub rotation: f64,
-    /// Bending moment M = −EI (φ' − κ₀) with the imposed curvature κ₀, positive in sagging \[N·m\]. Where the beam has
-    /// no shear deformation, φ' = w″.
+    /// Bending moment M = −EI (φ' − κ₀) with the rotation φ of the cross-sections and the imposed curvature κ₀, positive
+    /// in sagging \[N·m\]. Where the beam has no shear deformation, φ' = w″.
     pub moment: f64,
     /// Shear force V = M' \[N\].
     pub shear_force: f64,
@@ -114,9 +114,9 @@ pub struct Extreme {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Range {
-    /// The smallest value and its position.
+    /// The smallest value of the field, and its position.
     pub min: Extreme,
-    /// The largest value and its position.
+    /// The largest value of the field, and its position.
     pub max: Extreme,
 }
 
@@ -139,8 +139,9 @@ pub(crate) struct SolutionPiece<R = f64> {
     pub pressure: Coefficients<R>,
     /// Settlements u − u₀ at both ends of a piece out of contact, with the free-field settlement u₀; `None` in contact.
     pub open: Option<[R; 2]>,
-    /// Coefficients of the settlement u(s) − u₀(s) on varying ground out of contact, with the free-field settlement
-    /// u₀; otherwise empty.
+    /// Coefficients of u − u₀, the settlement minus the free-field settlement, in the local coordinate s of the piece.
+    /// They are stored only for a piece out of contact on a shear layer whose k or μ varies. Otherwise the list is
+    /// empty.
     pub settlement: Coefficients<R>,
 }
 
@@ -187,7 +188,7 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// Length of the open ground, relative to its decay length √(μ/k).
+    /// Length of the piece divided by the decay length √(μ/k) of the ground.
     fn decay(&self) -> R {
         (self.cell.subgrade / self.cell.shear_layer).sqrt() * 2.0 * self.half
     }
@@ -197,7 +198,8 @@ impl<R: Real> SolutionPiece<R> {
         (left + right) * 0.5 + (right - left) * 0.5 * s
     }
 
-    /// Value of one field at s, with the same bits as in [`SolutionPiece::fields`].
+    /// Value of one field at the local coordinate s of the piece, bitwise equal to the value in
+    /// [`SolutionPiece::fields`].
     pub(crate) fn one(&self, field: Field, s: f64) -> R {
         let per_length = 1.0 / self.half;
         match field {
@@ -216,7 +218,7 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// Settlement u at s and its derivative u' with respect to x.
+    /// Settlement u of the ground and its derivative u' with respect to x, at the local coordinate s of the piece.
     pub(crate) fn settlement(&self, s: f64, w: R, slope: R) -> [R; 2] {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
@@ -227,8 +229,8 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// Settlement u of the ground at s on a piece out of contact, and its derivative u′ with respect to x, both due
-    /// to the contact pressure outside this piece. The free-field settlement is not included.
+    /// Settlement u of the ground and its derivative u′ with respect to x, at the local coordinate s of a piece out of
+    /// contact. Both are due to the contact pressure outside this piece, without the free-field settlement.
     pub(crate) fn pressed(&self, s: f64, [left, right]: [R; 2]) -> [R; 2] {
         if [left, right] == [R::ZERO; 2] {
             return [R::ZERO; 2];

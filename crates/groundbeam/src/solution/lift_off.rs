@@ -21,7 +21,7 @@ pub struct LiftOff {
 }
 
 impl LiftOff {
-    /// The length of the open part \[m\].
+    /// The length of the open part of the beam \[m\].
     pub fn length(&self) -> f64 {
         self.to - self.from
     }

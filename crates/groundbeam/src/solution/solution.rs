@@ -35,14 +35,14 @@ pub struct Solution {
 pub struct SoilRounds {
     /// Decay parameter γ of the settlement over the depth; `None` for soil data without layers.
     pub gamma: Option<f64>,
-    /// Number of iterations. It is one unless the decay parameter γ of the settlement over the depth, and with it k
-    /// and μ, follows from the solution.
+    /// Number of solves, each with new ground constants k and μ. It is one if the decay parameter γ of the settlement
+    /// over the depth does not depend on the solution.
     pub rounds: usize,
 }
 
 impl Solution {
-    /// Creates a solution from its fields, their certificate, the verdict before the solve, the method, and the
-    /// steps of the method.
+    /// Creates a solution from a candidate, its certificate, the verdict on existence that was reached before the
+    /// solve, the method, and the steps of the method.
     pub(crate) fn new(
         candidate: Candidate,
         certificate: Certificate,
@@ -59,7 +59,7 @@ impl Solution {
         Solution { soil: Some(soil), ..self }
     }
 
-    /// Returns the fields without their certificate, and the steps of the method.
+    /// Returns the fields, contact zones and forces of the solution, and the steps of the method.
     pub(crate) fn into_parts(self) -> (Candidate, Vec<Step>) {
         (self.candidate, self.history)
     }
@@ -74,8 +74,8 @@ impl Solution {
         &self.candidate.pieces
     }
 
-    /// The solved model. If its ground is given by soil data, the model has the ground constants of this
-    /// solution.
+    /// The solved model. If its ground is given by soil data, its ground constants k and μ are those that the solve
+    /// computed.
     pub fn model(&self) -> &Model {
         &self.candidate.model
     }
@@ -107,8 +107,8 @@ impl Solution {
         self.candidate.edge_error.undecided.iter().map(|&[from, to]| ContactZone { from, to })
     }
 
-    /// The largest displacement of a contact edge between the last steps of the exact method \[m\]. It is an
-    /// estimate of the error of the edges.
+    /// The largest distance by which a contact edge moved in the last steps of the exact method \[m\]. It is an
+    /// estimate of the error of the edge positions.
     pub fn edge_error(&self) -> f64 {
         self.candidate.edge_error.moved
     }

@@ -82,7 +82,8 @@ pub(super) fn not_converged(method: Method, stalled: Unconverged) -> Error {
     Error::NotConverged(Stopped { method, iterations, why })
 }
 
-/// Whether the resultant of a free beam is exactly over one end and acts downward.
+/// Whether a beam whose equilibrium is not unique stands on one of its ends. The resultant of the loads then acts
+/// downward exactly at this end.
 fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
     let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());

@@ -1,4 +1,4 @@
-//! Computes the fields and the certificate of each contact set that an iteration checks, in the memory of a workspace.
+//! Computes the fields and the certificate of each contact set that an iteration checks, with one reused workspace.
 
 use crate::contact::state::ContactState;
 use crate::model::Model;

@@ -26,7 +26,7 @@ use crate::solve::contact::{find, not_converged};
 use crate::solve::judged::Judged;
 use crate::supported::{self, Way};
 
-/// Solves the unilateral contact problem (2.3), (2.10)–(2.13) exactly.
+/// Solves the unilateral contact problem, (2.3) and (2.10)–(2.13) of Kikuchi's paper, by the exact method.
 ///
 /// # Errors
 ///
@@ -47,10 +47,10 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
 
-/// Solves a model, starting from the solution `near` of a similar model. For example, the similar model has smaller
-/// loads, loads at other positions or other ground. The exact method starts from the contact zones of the similar model
-/// and needs fewer steps. The certificate is checked as in [`solve_with`], but the last digits of the solution may
-/// differ from the solution of [`solve_with`].
+/// Solves a model, starting from the solution `near` of a similar model. The similar model may have, for example,
+/// smaller loads, loads at other positions or other ground. The exact method starts from the contact zones of this
+/// solution and needs fewer steps. The certificate is checked as in [`solve_with`], but the last digits of the solution
+/// may differ from the solution of [`solve_with`].
 ///
 /// # Errors
 ///
@@ -88,8 +88,8 @@ pub(crate) fn solve_in(
 const MOST_HALVINGS: usize = 12;
 
 /// Solves a model by the chosen method. The method `active-set` halves the length of its elements if its
-/// discrete problem is not solved. On Winkler ground it also halves the length until the energy gap is no
-/// larger than the strain energy, because a contact zone may be shorter than an element.
+/// discrete problem is not solved. On Winkler ground it also halves the length until the estimated error energy is
+/// no larger than the strain energy, because a contact zone may be shorter than an element.
 fn uncancelled(
     model: &Model,
     options: &Options,
@@ -216,8 +216,8 @@ fn solve_local(
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
 }
 
-/// Decides whether an equilibrium exists. The model is solved only if its energy is not convex because of the axial
-/// compression, so that an equilibrium can be only a local minimum of the energy.
+/// Decides whether an equilibrium exists. The model is solved only if axial compression makes its energy
+/// non-convex, because an equilibrium may then be a local minimum of the energy without being the global minimum.
 ///
 /// # Errors
 ///

@@ -5,7 +5,7 @@
 use super::*;
 use crate::element::ExactElement;
 use crate::element::operator::Operator;
-use crate::mesh::cell::GROUND;
+use crate::mesh::ground_stretch::GROUND;
 use crate::model::Profile;
 use crate::numeric::polynomial::{derivative, jet, product as times, value};
 
@@ -103,8 +103,8 @@ fn the_series_solve_the_equations_and_take_their_end_values() {
         assert!((value(&rotation, -1.0) + 0.2).abs() < 1e-14);
         assert!((value(&w, 1.0) - (0.3 - 0.2 * h + 0.1)).abs() < 1e-15);
         assert!((value(&rotation, 1.0) - 0.2).abs() < 1e-14);
-        // The test computes the moment EI (φ′ − κ₀) with the imposed curvature κ₀, and the vertical force
-        // Q + N w′ − G with the tension N and the slope load G.
+        // The moment is EI (φ′ − κ₀), with the rotation φ and the imposed curvature κ₀. The vertical force is
+        // Q + N w′ − G, with the shear force Q, the tension N and the moment load G of the shear layer.
         let mut bend = by(&rotation);
         bend[0] -= all.curvature[0];
         bend[1] -= all.curvature[1];
@@ -155,9 +155,9 @@ fn the_stiffness_is_symmetric_to_rounding() {
     }
 }
 
-/// Without ground and tension, the stiffness for the two deformations of the element is the block of the right
-/// end in Przemieniecki (1968), Theory of Matrix Structural Analysis, eq. (5.116). In this equation Φ is
-/// 12 EI/(S h²) for the length h.
+/// Without ground and tension, the stiffness for the relative displacement and the relative rotation of the right end
+/// agrees with Przemieniecki (1968), Theory of Matrix Structural Analysis: the block for the right end in the stiffness
+/// matrix (5.116). There, Φ is 12 EI/(S h²), with the shear stiffness S and the length h.
 #[test]
 fn without_ground_the_stiffness_is_that_of_przemieniecki() {
     for shear in [1e-6, 0.5, 40.0, 1e9] {

@@ -55,7 +55,7 @@ impl Model {
             let beyond = outward * (at - end);
             let (right, hint) = match ground {
                 GroundEnd::Held { .. } => {
-                    (beyond > 0.0, "a wall must be outside the beam, whose end is at {1}")
+                    (beyond > 0.0, "the wall must lie beyond the beam's end at {1}")
                 }
                 _ => (
                     beyond >= 0.0,
@@ -111,7 +111,7 @@ impl Model {
         let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
         if off {
             let message = "this load extends beyond an end of the ground";
-            let hint = "move the load, or change the ends of the ground, `left` and `right` of the foundation";
+            let hint = "move the load, or extend the ground with `left` or `right` in [foundation]";
             found.push(Problem::new("GB208", part, field, message, hint));
         }
     }

@@ -1,4 +1,4 @@
-//! Checks a model by all rules and lists every violation with its remedy.
+//! Checks a model against all rules and lists every violation with its remedy.
 
 mod beam;
 mod ground;

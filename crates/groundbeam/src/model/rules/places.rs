@@ -21,7 +21,7 @@ impl Ord for Place {
     }
 }
 
-/// The positions of a list, each with the index of its first occurrence.
+/// Positions along the beam, each with the index at which it first occurs in a list.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Places(BTreeMap<Place, usize>);
 
@@ -70,7 +70,7 @@ pub(crate) fn repeated(
 /// begins within several other stretches is paired with only one of them.
 pub(crate) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
-    // Stretches without length are skipped, because another rule reports them.
+    // Stretches of zero or negative length are skipped, because another rule reports them.
     order.retain(|&i| stretches[i].0 < stretches[i].1);
     order.sort_by(|&a, &b| stretches[a].0.total_cmp(&stretches[b].0));
     let mut found = Vec::new();

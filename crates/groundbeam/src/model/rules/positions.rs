@@ -1,4 +1,4 @@
-//! Rules for positions and stretches: loads and supports lie on the beam, stretches have a length, and segments do not overlap.
+//! Rules for positions and stretches: loads and supports lie on the beam, stretches have positive length, no segments overlap.
 
 use super::places;
 use crate::model::Model;

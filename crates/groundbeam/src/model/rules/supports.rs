@@ -31,7 +31,7 @@ impl Model {
             if let Some(other) = other {
                 let message =
                     format!("there is already a support at {{0}} (support {})", other + 1);
-                let hint = "give all restraints of this position in one support";
+                let hint = "give all restraints at this position in one support";
                 let problem = Problem::new("GB403", part, "at", message, hint);
                 found.push(problem.with_numbers(&[support.at]));
             }
@@ -62,7 +62,10 @@ impl Model {
             let spring = hinge.rotational_spring;
             if !(in_range(spring) && spring >= 0.0) {
                 let message = format!("the hinge's spring constant is {}", describe(spring));
-                let hint = remedy(spring, "it must be positive, or zero for a free hinge");
+                let hint = remedy(
+                    spring,
+                    "the spring constant must be positive, or zero for a free hinge",
+                );
                 report("GB405", "rotational_spring", message, hint);
             }
             if let Some(other) = other {

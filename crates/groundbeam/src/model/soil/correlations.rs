@@ -67,7 +67,8 @@ pub struct Elastic {
 /// The result of a load test with a square plate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlateTest {
-    /// Subgrade modulus of the plate, which is the pressure divided by the settlement \[N/m³\].
+    /// Subgrade modulus from the load test: the pressure on the plate divided by the settlement of the plate
+    /// \[N/m³\].
     pub modulus: f64,
     /// The plate's width \[m\].
     pub width: f64,

@@ -50,7 +50,8 @@ const LONG: f64 = 2.25;
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
 impl SoilModel {
-    /// Creates the data of soil under a beam that bears on a `width` \[m\].
+    /// Creates the data of the soil under a beam. `width` \[m\] is the width of the contact area between beam and
+    /// soil.
     pub fn new(soil: Soil, width: f64) -> Self {
         SoilModel { soil, width, factors: [1.0; 2] }
     }
