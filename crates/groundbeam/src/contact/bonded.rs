@@ -29,6 +29,8 @@ pub(crate) struct Bonded<'a> {
     is_fine: bool,
     /// Elements of the previous step, which are reused for unchanged cells.
     known: Vec<Known>,
+    /// Memory for the elements of the next step.
+    spare: Vec<Known>,
 }
 
 /// An element, and the cell for which it was computed.
@@ -125,7 +127,7 @@ pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> Zon
 
 impl<'a> Bonded<'a> {
     pub fn new(model: &'a Model, cancel: &'a Cancel) -> Self {
-        Bonded { model, cancel, is_fine: false, known: Vec::new() }
+        Bonded { model, cancel, is_fine: false, known: Vec::new(), spare: Vec::new() }
     }
 
     /// Creates a solver whose elements are all short compared with the wavelength of the beam. Such elements
@@ -271,20 +273,20 @@ impl<'a> Bonded<'a> {
     /// Computes the elements of a mesh. Elements of the previous step are reused.
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
-        let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
-        let mut before = before.into_iter();
+        let Bonded { known, spare, .. } = self;
+        std::mem::swap(known, spare);
+        known.reserve(mesh.cells.len());
+        // A peekable iterator would move each element twice.
+        let mut before = spare.drain(..);
         for cell in &mesh.cells {
             let (x, touch) = (cell.x, touch(cell));
             while before.as_slice().first().is_some_and(|known| known.x[0] < x[0]) {
                 before.next();
             }
             let next = before.as_slice().first();
-            let known = if next.is_some_and(|known| known.x == x && known.touch == touch) {
-                before.next()
-            } else {
-                None
-            };
-            self.known.push(known.unwrap_or_else(|| {
+            let is_same = next.is_some_and(|next| next.x == x && next.touch == touch);
+            let reused = if is_same { before.next() } else { None };
+            known.push(reused.unwrap_or_else(|| {
                 let exact = ExactElement::new(&Operator::of(cell, axial, touch), cell.length());
                 Known { x, touch, exact }
             }));

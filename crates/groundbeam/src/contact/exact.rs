@@ -9,7 +9,8 @@
 //! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
 //! 3. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
 //!
-//! If rounding errors make the energy gap of the solution too large, [substitute models](super::substitute) are solved.
+//! If rounding errors make the energy gap of the solution too large, the problem is solved once more [relative to a
+//! translation](super::translation).
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -19,7 +20,7 @@ use crate::contact::intervals::{Interval, longest_difference, positions};
 use crate::contact::start;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{BLIND, FEW_STEPS, LEVELS, MOST_STEPS};
-use crate::contact::substitute;
+use crate::contact::translation;
 use crate::mesh::cell::gap_at;
 use crate::mesh::mesh::Mesh;
 use crate::model::{GapPoint, Model};
@@ -43,7 +44,7 @@ pub(crate) fn solve(
     if gap <= GAP {
         return Ok(found);
     }
-    Ok(substitute::solve(model, &found, cancel, &mut judge).unwrap_or_else(|| {
+    Ok(translation::solve(model, &found, cancel, &mut judge).unwrap_or_else(|| {
         judge(&found);
         found
     }))

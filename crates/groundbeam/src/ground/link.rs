@@ -80,8 +80,9 @@ impl<R: Real> TwoPort<R> {
 /// term.
 const SURFACE_TERMS: usize = 20;
 
-/// A coefficient of these power series is neglected if its magnitude is below this fraction of the first coefficient.
-const NEGLIGIBLE: f64 = 1e-20;
+/// A coefficient of these power series is neglected if it does not change this number. Then it is below 10⁻²⁰ of the
+/// leading coefficient, which is 1, and has no derivatives.
+const UNCHANGED: f64 = 1e-4;
 
 /// Returns the power series coefficients of the ground displacement u on a short stretch with varying k and μ, from the
 /// values `ends` of u at both ends. The coordinate s of the series is −1 and 1 at the ends.
@@ -110,7 +111,7 @@ impl<R: Real> Pair<R> {
             for j in 0..SURFACE_TERMS - 2 {
                 // If all coefficients in the recurrence are negligible, the remaining coefficients are negligible too.
                 let used = &c[(j + 1).saturating_sub(reach)..j + 2];
-                if used.iter().all(|c| c.value().abs() < NEGLIGIBLE) {
+                if used.iter().all(|c| *c + UNCHANGED == UNCHANGED) {
                     break;
                 }
                 // Equating the coefficients of sʲ in (μu')' = a² k u gives the coefficient of s^(j+2) in the ground

@@ -109,6 +109,15 @@ impl Mesh {
             }
         }
         let cells = if x.len() == coarse.len() + 1 { coarse } else { cells_between(model, &x) };
+        Self::of(model, cells)
+    }
+
+    /// Builds the mesh with the nodes `x`, which include all required nodes.
+    pub fn on(model: &Model, x: &[f64]) -> Self {
+        Self::of(model, cells_between(model, x))
+    }
+
+    fn of(model: &Model, cells: Vec<Cell>) -> Self {
         let first = cells[0];
         let last = cells[cells.len() - 1];
         let ground = &model.foundation;

@@ -109,7 +109,7 @@ impl Span {
         let count = to - from;
         let wanted = own.pieces(grid.axial_force, own.h * count as f64).min(count);
         let at = |i: usize| count * i / wanted;
-        // Pieces of equal length under equal loads have the same closed form.
+        // Pieces with equal lengths, loads and imposed curvatures have the same closed form.
         let mut last: Option<(f64, Given, Beam)> = None;
         for i in 0..wanted {
             let (a, b) = if self.mirrored {
@@ -121,7 +121,7 @@ impl Span {
             let given = if self.mirrored { part.mirrored() } else { part };
             let length = own.h * (b - a) as f64;
             let beam = match last {
-                Some((own, loads, beam)) if own == length && loads == given => beam,
+                Some((known, loads, beam)) if known == length && loads == given => beam,
                 _ => Beam::new(own.cell.stiffness, &given, grid.axial_force, length),
             };
             last = Some((length, given, beam));

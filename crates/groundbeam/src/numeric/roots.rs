@@ -15,7 +15,7 @@ pub(crate) fn varies_little(c: &[f64]) -> bool {
 /// Whether the polynomial f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. Each
 /// step of the test lowers the degree by one without moving a zero across the circle |s| = `radius`.
 fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
-    // |c₀| > Σ|cⱼ| radiusʲ with j ≥ 1 is sufficient (theorem of Rouché).
+    // If |c₀| > Σ|cⱼ| radiusʲ with j ≥ 1, the constant term outweighs all others inside the circle.
     let others = c.iter().skip(1).rev().fold(0.0, |sum, a| (sum + a.abs()) * radius);
     if c.first().is_some_and(|first| first.abs() > others) {
         return true;

@@ -1,0 +1,61 @@
+//! Solves the contact problem relative to a rigid translation of the beam, so that small deformations keep their digits.
+//!
+//! The stiffness matrix of some elements multiplies differences of end deflections. If the beam translates far and deforms
+//! little, these differences lose digits. The contact problem for w − δ, with a constant δ, is the contact problem of a
+//! model whose initial gap and support settlements are smaller by δ.
+
+use crate::cancel::Cancel;
+use crate::contact::bonded::Bonded;
+use crate::contact::edges::{Start, edges};
+use crate::contact::intervals::positions;
+use crate::contact::state::ContactState;
+use crate::contact::stopping::FEW_STEPS;
+use crate::mesh::mesh::Mesh;
+use crate::model::{GapPoint, Model};
+use crate::numeric::polynomial::TERMS;
+use crate::numeric::tolerance::GAP;
+
+/// Solves the contact problem once more, relative to the deflection δ at the middle of the shortest cell of `found`.
+/// Short cells lose most digits. Returns `None` if rounding errors still make the relative energy gap of the solution too
+/// large. `judge` computes this gap.
+pub(crate) fn solve(
+    model: &Model,
+    found: &ContactState,
+    cancel: &Cancel,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
+) -> Option<ContactState> {
+    let cells = found.mesh.cells.iter().enumerate();
+    let shortest = cells.min_by(|(_, a), (_, b)| a.length().total_cmp(&b.length()))?.0;
+    let delta = found.deflection().cell(shortest)[0];
+    let lowered = lowered(model, delta);
+    let start = Start {
+        contact: positions(&found.mesh, &found.zones, &[]),
+        now: Some(translated(&lowered, found.clone(), -delta)),
+        near: false,
+    };
+    let back = |state: ContactState| translated(model, state, delta);
+    let mut judge_back = |state: &ContactState| judge(&back(state.clone()));
+    let solved = edges(&mut Bonded::new(&lowered, cancel), start, FEW_STEPS, &mut judge_back);
+    let mut state = back(solved.ok()?);
+    state.history.splice(0..0, found.history.iter().copied());
+    (judge(&state) <= GAP).then_some(state)
+}
+
+/// Returns the model whose deflection is the deflection of `model` minus δ.
+fn lowered(model: &Model, delta: f64) -> Model {
+    let mut lowered = model.clone();
+    if lowered.gap.is_empty() {
+        lowered.gap.push(GapPoint { at: 0.0, value: 0.0 });
+    }
+    lowered.gap.iter_mut().for_each(|corner| corner.value -= delta);
+    lowered.supports.iter_mut().for_each(|support| support.settlement -= delta);
+    lowered
+}
+
+/// Adds δ to the deflection of a contact state. The result is a contact state of `model`.
+fn translated(model: &Model, mut state: ContactState, delta: f64) -> ContactState {
+    let x: Vec<f64> = state.mesh.nodes.iter().map(|node| node.x).collect();
+    state.mesh = Mesh::on(model, &x);
+    state.coefficients.iter_mut().step_by(TERMS).for_each(|constant| *constant += delta);
+    state
+}
