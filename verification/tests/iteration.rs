@@ -1,8 +1,8 @@
 //! The contact iteration on single models: each fails or changes without one particular line of the iteration.
 
 use groundbeam::{
-    Beam, Foundation, GapPoint, Load, Method, Model, Options, Outcome, Solution, Support, Verdict,
-    solve, solve_with,
+    Beam, Foundation, Load, Method, Model, Options, Outcome, Solution, Support, Verdict, solve,
+    solve_with,
 };
 use groundbeam_verification::random::{Family, model};
 
@@ -69,9 +69,9 @@ fn a_translated_beam_with_loads_on_the_ground_keeps_its_mesh() {
         .with_support(Support::fixed(4.781).settled(12.414_167_152_609_808));
     let spring = Support::spring(4.781_804_217_989_291, 0.111_463_574_051_870_35, 0.0);
     model.supports.push(spring.settled(213.026_966_434_393_13));
-    let corner = |at: f64, value: f64| GapPoint { at, value };
-    model.gap.push(corner(4.773_857_187_882_419, 0.069_986_788_595_739_97));
-    model.gap.push(corner(4.781_009_509_131_411, 0.012_476_959_007_258_835));
+    let model = model
+        .with_gap(4.773_857_187_882_419, 0.069_986_788_595_739_97)
+        .with_gap(4.781_009_509_131_411, 0.012_476_959_007_258_835);
     assert!(matches!(solve(&model), Ok(Outcome::Equilibrium(_))));
 }
 
