@@ -76,6 +76,27 @@ fn a_translated_beam_with_loads_on_the_ground_keeps_its_mesh() {
 }
 
 #[test]
+fn an_unloaded_beam_beyond_a_settled_clamp_rests_on_the_ground() {
+    // Beyond the clamp, beam and ground surface have the same height, 0.05 m. Rounding errors of this height would open
+    // thousands of gaps.
+    let settled = |height: f64| {
+        let model = Model::new(Beam::uniform(100.0, 1e7), Foundation::winkler(5e7))
+            .with_load(Load::point_force(10.0, 1e5))
+            .with_support(Support::fixed(100.0 / 3.0).settled(height))
+            .with_gap(0.0, height);
+        match solve(&model) {
+            Ok(Outcome::Equilibrium(solution)) => zones(&solution),
+            other => panic!("{other:?}"),
+        }
+    };
+    let (low, high) = (settled(0.05), settled(0.0));
+    assert_eq!(low.len(), high.len());
+    for (low, high) in low.as_flattened().iter().zip(high.as_flattened()) {
+        assert!((low - high).abs() < 1e-12, "{low} {high}");
+    }
+}
+
+#[test]
 fn edges_that_move_by_rounding_errors_are_accepted() {
     solved(Family::Hard, 774);
 }

@@ -7,7 +7,8 @@
 //!
 //! 1. the contact of a neighbouring model, if given;
 //! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
-//! 3. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
+//! 3. if a rigid support settles, guesses 2 and 4 [relative to its settlement](super::translation);
+//! 4. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
 //!
 //! If rounding errors make the energy gap of the solution too large, the problem is solved once more [relative to a
 //! translation](super::translation).
@@ -20,7 +21,7 @@ use crate::contact::intervals::{Interval, longest_difference, positions};
 use crate::contact::start;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{BLIND, FEW_STEPS, LEVELS, MOST_STEPS};
-use crate::contact::translation;
+use crate::contact::translation::{self, Judge};
 use crate::mesh::cell::gap_at;
 use crate::mesh::mesh::Mesh;
 use crate::model::{GapPoint, Model};
@@ -44,7 +45,7 @@ pub(crate) fn solve(
     if gap <= GAP {
         return Ok(found);
     }
-    Ok(translation::solve(model, &found, cancel, &mut judge).unwrap_or_else(|| {
+    Ok(translation::from_solution(model, &found, cancel, &mut judge).unwrap_or_else(|| {
         judge(&found);
         found
     }))
@@ -69,6 +70,10 @@ fn from_guesses(
     if let Some(contact) = start::edges(&nearly, cancel)
         && let Ok(found) = edges(bonded, Start::on(contact), FEW_STEPS, judge)
     {
+        return Ok(found);
+    }
+    let solve = |model: &Model, judge: Judge| from_guesses(model, None, cancel, judge).ok();
+    if let Some(found) = translation::from_settlement(model, judge, solve) {
         return Ok(found);
     }
     let mut last = Unconverged::SINGULAR;

@@ -11,33 +11,57 @@ use crate::contact::intervals::positions;
 use crate::contact::state::ContactState;
 use crate::contact::stopping::FEW_STEPS;
 use crate::mesh::mesh::Mesh;
-use crate::model::{GapPoint, Model};
+use crate::model::{GapPoint, Model, Support, SupportKind};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::tolerance::GAP;
 
+/// Computes the relative energy gap of a deflection with its contact set.
+pub(crate) type Judge<'a> = &'a mut dyn FnMut(&ContactState) -> f64;
+
+/// Solves the contact problem relative to the settlement δ of the first rigid support. `solve` solves a model from its
+/// own initial guesses. Beside a fixed support, an unloaded beam on flat ground has the deflection δ exactly; rounding errors
+/// of δ would cause lift-off there. Returns `None` if no rigid support settles, or if the solution fails.
+pub(crate) fn from_settlement(
+    model: &Model,
+    judge: Judge,
+    solve: impl FnOnce(&Model, Judge) -> Option<ContactState>,
+) -> Option<ContactState> {
+    let is_rigid =
+        |support: &&Support| matches!(support.kind, SupportKind::Pinned | SupportKind::Fixed);
+    let delta = model.supports.iter().find(is_rigid)?.settlement;
+    (delta != 0.0).then(|| relative_to(model, delta, judge, solve))?
+}
+
 /// Solves the contact problem once more, relative to the deflection δ at the middle of the shortest cell of `found`.
-/// Short cells lose most digits. Returns `None` if rounding errors still make the relative energy gap of the solution too
-/// large. `judge` computes this gap.
-pub(crate) fn solve(
+/// Short cells lose most digits. Returns `None` if the solution fails.
+pub(crate) fn from_solution(
     model: &Model,
     found: &ContactState,
     cancel: &Cancel,
-    judge: &mut dyn FnMut(&ContactState) -> f64,
+    judge: Judge,
 ) -> Option<ContactState> {
     let cells = found.mesh.cells.iter().enumerate();
     let shortest = cells.min_by(|(_, a), (_, b)| a.length().total_cmp(&b.length()))?.0;
     let delta = found.deflection().cell(shortest)[0];
-    let lowered = lowered(model, delta);
-    let start = Start {
-        contact: positions(&found.mesh, &found.zones, &[]),
-        now: Some(translated(&lowered, found.clone(), -delta)),
-        near: false,
-    };
+    let start = Start::on(positions(&found.mesh, &found.zones, &[]));
+    let mut state = relative_to(model, delta, judge, |lowered, judge| {
+        edges(&mut Bonded::new(lowered, cancel), start, FEW_STEPS, judge).ok()
+    })?;
+    state.history.splice(0..0, found.history.iter().copied());
+    Some(state)
+}
+
+/// Solves the contact problem relative to a translation δ. Returns `None` if `solve` fails, or if the relative energy gap
+/// of its solution is too large.
+fn relative_to(
+    model: &Model,
+    delta: f64,
+    judge: Judge,
+    solve: impl FnOnce(&Model, Judge) -> Option<ContactState>,
+) -> Option<ContactState> {
     let back = |state: ContactState| translated(model, state, delta);
     let mut judge_back = |state: &ContactState| judge(&back(state.clone()));
-    let solved = edges(&mut Bonded::new(&lowered, cancel), start, FEW_STEPS, &mut judge_back);
-    let mut state = back(solved.ok()?);
-    state.history.splice(0..0, found.history.iter().copied());
+    let state = back(solve(&lowered(model, delta), &mut judge_back)?);
     (judge(&state) <= GAP).then_some(state)
 }
 
