@@ -10,7 +10,7 @@ use crate::contact::edges::{Start, edges};
 use crate::contact::intervals::positions;
 use crate::contact::state::ContactState;
 use crate::contact::stopping::FEW_STEPS;
-use crate::mesh::mesh::Mesh;
+use crate::mesh::mesh::{Mesh, initial_gap};
 use crate::model::{GapPoint, Model, Support, SupportKind};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::tolerance::GAP;
@@ -18,18 +18,23 @@ use crate::numeric::tolerance::GAP;
 /// Computes the relative energy gap of a deflection with its contact set.
 pub(crate) type Judge<'a> = &'a mut dyn FnMut(&ContactState) -> f64;
 
-/// Solves the contact problem relative to the settlement δ of the first rigid support. `solve` solves a model from its
-/// own initial guesses. Beside a fixed support, an unloaded beam on flat ground has the deflection δ exactly; rounding errors
-/// of δ would cause lift-off there. Returns `None` if no rigid support settles, or if the solution fails.
+/// Solves the contact problem relative to the settlement δ of a fixed support that holds the beam exactly at the ground
+/// surface. Beside this support, an unloaded beam on flat ground has the deflection δ; rounding errors of δ would cause
+/// lift-off there. `solve` solves a model from its own initial guesses. Returns `None` without such a support, or if the
+/// solution fails.
 pub(crate) fn from_settlement(
     model: &Model,
     judge: Judge,
     solve: impl FnOnce(&Model, Judge) -> Option<ContactState>,
 ) -> Option<ContactState> {
-    let is_rigid =
-        |support: &&Support| matches!(support.kind, SupportKind::Pinned | SupportKind::Fixed);
-    let delta = model.supports.iter().find(is_rigid)?.settlement;
-    (delta != 0.0).then(|| relative_to(model, delta, judge, solve))?
+    let rests = |support: &&Support| {
+        let settlement = support.settlement;
+        support.kind == SupportKind::Fixed
+            && settlement != 0.0
+            && settlement == initial_gap(model, support.at)
+    };
+    let delta = model.supports.iter().find(rests)?.settlement;
+    relative_to(model, delta, judge, solve)
 }
 
 /// Solves the contact problem once more, relative to the deflection δ at the middle of the shortest cell of `found`.
