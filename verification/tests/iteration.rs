@@ -97,6 +97,17 @@ fn an_unloaded_beam_beyond_a_settled_clamp_rests_on_the_ground() {
 }
 
 #[test]
+fn a_beam_on_two_settled_clamps_at_the_ground_surface_is_solved() {
+    let model = Model::new(Beam::uniform(60.0, 1e6), Foundation::winkler(1e6))
+        .with_load(Load::point_force(6.0, 1e5))
+        .with_support(Support::fixed(20.0).settled(0.05))
+        .with_support(Support::fixed(36.0).settled(0.07))
+        .with_gap(20.0, 0.05)
+        .with_gap(36.0, 0.07);
+    assert!(matches!(solve(&model), Ok(Outcome::Equilibrium(_))));
+}
+
+#[test]
 fn edges_that_move_by_rounding_errors_are_accepted() {
     solved(Family::Hard, 774);
 }

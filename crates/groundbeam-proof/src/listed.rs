@@ -94,7 +94,7 @@ pub(crate) struct Differences {
     pub checked: Checked,
     /// Listed fields with unknown names.
     pub unknown: Vec<String>,
-    /// The first reason to reject the listed numbers, such as a position outside the beam; `None` if there is none.
+    /// Why the listed numbers are rejected; the first reason found. `None` if they are accepted.
     pub failed: Option<NotProven>,
 }
 

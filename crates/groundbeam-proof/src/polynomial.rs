@@ -293,8 +293,8 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // Accept `depth` as the bound on how far the function falls below zero on this interval if `depth` is
-        // negligible or comparable with the rounding error, or if halving the interval would hardly reduce `depth`.
+        // `depth` bounds how far the function falls below zero on this interval. The interval is not halved if `depth`
+        // is negligible, or at most the rounding error plus 1.25 times the depth at the middle of the interval.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;

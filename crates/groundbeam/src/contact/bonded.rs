@@ -41,14 +41,6 @@ struct Known {
     exact: ExactElement,
 }
 
-/// The linear system of the beam bonded to the ground.
-#[derive(Debug)]
-pub(crate) struct BondedSystem {
-    pub mesh: Mesh,
-    pub zones: Vec<MeshZone>,
-    pub chain: Chain,
-}
-
 /// The stabilising springs of a bonded beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Springs {
@@ -113,6 +105,11 @@ pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind
     }
 }
 
+/// The element of one cell under an axial force.
+fn exact_element(cell: &Cell, axial_force: f64, touch: ZoneKind) -> ExactElement {
+    ExactElement::new(&Operator::of(cell, axial_force, touch), cell.length())
+}
+
 /// Whether compression removes all shear stiffness of the beam at some point, so that the beam buckles in
 /// arbitrarily short waves.
 pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
@@ -146,15 +143,20 @@ impl<'a> Bonded<'a> {
     /// the solve is cancelled.
     pub fn is_stable_on(&self, intervals: &[Interval]) -> bool {
         let touch = zone_kind_of(intervals);
-        if self.cancel.is_cancelled() || folds(self.model, intervals.as_flattened(), &touch) {
+        if self.must_stop(intervals, &touch) {
             return false;
         }
         let (mesh, zones) = self.mesh_on(intervals, &[]);
         let axial = self.model.beam.axial_force;
-        let element = |cell: &Cell| {
-            ExactElement::new(&Operator::of(cell, axial, touch(cell)), cell.length()).element
-        };
-        chain_of(&mesh, &zones, mesh.cells.iter().map(element)).solve().is_ok()
+        let elements =
+            mesh.cells.iter().map(|cell| exact_element(cell, axial, touch(cell)).element);
+        let solved = chain_of(&mesh, &zones, elements).solve();
+        solved.is_ok_and(|shapes| shapes.as_flattened().iter().all(|v| v.is_finite()))
+    }
+
+    /// Whether the solve is cancelled, or compression removes all shear stiffness of the beam at some point.
+    fn must_stop(&self, intervals: &[Interval], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
+        self.cancel.is_cancelled() || folds(self.model, intervals.as_flattened(), touch)
     }
 
     /// Solves the bonded beam with prescribed rotations.
@@ -222,12 +224,14 @@ impl<'a> Bonded<'a> {
         more: &[f64],
         hold: impl FnOnce(&Mesh, &mut [ChainNode]),
     ) -> Result<ContactState, NotDefinite> {
-        let model = self.model;
         let touch = zone_kind_of(intervals);
-        if self.cancel.is_cancelled() || folds(model, intervals.as_flattened(), &touch) {
+        if self.must_stop(intervals, &touch) {
             return Err(NotDefinite);
         }
-        let BondedSystem { mesh, zones, mut chain } = self.system_on(intervals, more);
+        let (mesh, zones) = self.mesh_on(intervals, more);
+        self.make_elements(&mesh, &touch);
+        let elements = self.known.iter().map(|known| known.exact.element);
+        let mut chain = chain_of(&mesh, &zones, elements);
         hold(&mesh, &mut chain.nodes);
         let shapes = chain.solve()?;
         let layered = self.known.iter().any(|known| known.exact.layers().is_some());
@@ -261,15 +265,6 @@ impl<'a> Bonded<'a> {
         (mesh, zones)
     }
 
-    /// Builds the linear system of a beam that is bonded to the ground on the given intervals, with additional
-    /// nodes at the positions `more`.
-    pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
-        let (mesh, zones) = self.mesh_on(intervals, more);
-        self.make_elements(&mesh, &zone_kind_of(intervals));
-        let chain = chain_of(&mesh, &zones, self.known.iter().map(|known| known.exact.element));
-        BondedSystem { mesh, zones, chain }
-    }
-
     /// Computes the elements of a mesh. Elements of the previous step are reused.
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
@@ -286,9 +281,10 @@ impl<'a> Bonded<'a> {
             let next = before.as_slice().first();
             let is_same = next.is_some_and(|next| next.x == x && next.touch == touch);
             let reused = if is_same { before.next() } else { None };
-            known.push(reused.unwrap_or_else(|| {
-                let exact = ExactElement::new(&Operator::of(cell, axial, touch), cell.length());
-                Known { x, touch, exact }
+            known.push(reused.unwrap_or_else(|| Known {
+                x,
+                touch,
+                exact: exact_element(cell, axial, touch),
             }));
         }
     }

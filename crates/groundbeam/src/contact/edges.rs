@@ -53,13 +53,16 @@ impl Start {
     }
 }
 
+/// Computes the relative energy gap of a deflection with its contact set.
+pub(crate) type Judge<'a> = &'a mut dyn FnMut(&ContactState) -> f64;
+
 /// Finds the contact edges by Newton's method. The iteration starts from the contact set in `start`. `judge`
 /// computes the relative energy gap of a solution.
 pub(crate) fn edges(
     bonded: &mut Bonded,
     start: Start,
     limit: StepLimit,
-    judge: &mut dyn FnMut(&ContactState) -> f64,
+    judge: Judge,
 ) -> Result<ContactState, Unconverged> {
     let places = required_positions(bonded.model, &[]);
     let mut search = Search {
@@ -95,7 +98,7 @@ pub(crate) fn edges(
 /// The state of the iteration between two steps.
 struct Search<'a, 'm> {
     bonded: &'a mut Bonded<'m>,
-    judge: &'a mut dyn FnMut(&ContactState) -> f64,
+    judge: Judge<'a>,
     /// The positions of the nodes required by the model.
     places: Vec<f64>,
     history: Vec<Step>,

@@ -16,12 +16,12 @@
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
 use crate::contact::continuation;
-use crate::contact::edges::{Start, edges};
+use crate::contact::edges::{Judge, Start, edges};
 use crate::contact::intervals::{Interval, longest_difference, positions};
 use crate::contact::start;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{BLIND, FEW_STEPS, LEVELS, MOST_STEPS};
-use crate::contact::translation::{self, Judge};
+use crate::contact::translation;
 use crate::mesh::cell::gap_at;
 use crate::mesh::mesh::Mesh;
 use crate::model::{GapPoint, Model};
@@ -56,26 +56,41 @@ fn from_guesses(
     model: &Model,
     likely: Option<&[Interval]>,
     cancel: &Cancel,
-    judge: &mut dyn FnMut(&ContactState) -> f64,
+    judge: Judge,
 ) -> Result<ContactState, Unconverged> {
-    let bonded = &mut Bonded::new(model, cancel);
     if let Some(likely) = likely {
         let contact = on_the_beam(likely, model.beam.length);
         let start = Start { contact, now: None, near: true };
-        if let Ok(found) = edges(bonded, start, FEW_STEPS, judge) {
+        if let Ok(found) = edges(&mut Bonded::new(model, cancel), start, FEW_STEPS, judge) {
             return Ok(found);
         }
     }
-    let nearly = with_free_field_as_gap(model);
-    if let Some(contact) = start::edges(&nearly, cancel)
-        && let Ok(found) = edges(bonded, Start::on(contact), FEW_STEPS, judge)
-    {
+    if let Some(found) = from_start(model, cancel, judge) {
         return Ok(found);
     }
-    let solve = |model: &Model, judge: Judge| from_guesses(model, None, cancel, judge).ok();
+    let solve = |model: &Model, judge: Judge| {
+        from_start(model, cancel, judge).or_else(|| from_continuation(model, cancel, judge).ok())
+    };
     if let Some(found) = translation::from_settlement(model, judge, solve) {
         return Ok(found);
     }
+    from_continuation(model, cancel, judge)
+}
+
+/// Solves the contact problem from the whole length of a short beam, or from the active nodes of a long one.
+fn from_start(model: &Model, cancel: &Cancel, judge: Judge) -> Option<ContactState> {
+    let contact = start::edges(&with_free_field_as_gap(model), cancel)?;
+    edges(&mut Bonded::new(model, cancel), Start::on(contact), FEW_STEPS, judge).ok()
+}
+
+/// Solves the contact problem from the contact of a stiffer beam, at each level of the continuation.
+fn from_continuation(
+    model: &Model,
+    cancel: &Cancel,
+    judge: Judge,
+) -> Result<ContactState, Unconverged> {
+    let bonded = &mut Bonded::new(model, cancel);
+    let nearly = with_free_field_as_gap(model);
     let mut last = Unconverged::SINGULAR;
     let mut iterations = 0;
     for level in 0..LEVELS {

@@ -6,7 +6,7 @@
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
-use crate::contact::edges::{Start, edges};
+use crate::contact::edges::{Judge, Start, edges};
 use crate::contact::intervals::positions;
 use crate::contact::state::ContactState;
 use crate::contact::stopping::FEW_STEPS;
@@ -15,12 +15,9 @@ use crate::model::{GapPoint, Model, Support, SupportKind};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::tolerance::GAP;
 
-/// Computes the relative energy gap of a deflection with its contact set.
-pub(crate) type Judge<'a> = &'a mut dyn FnMut(&ContactState) -> f64;
-
 /// Solves the contact problem relative to the settlement δ of a fixed support that holds the beam exactly at the ground
 /// surface. Beside this support, an unloaded beam on flat ground has the deflection δ; rounding errors of δ would cause
-/// lift-off there. `solve` solves a model from its own initial guesses. Returns `None` without such a support, or if the
+/// lift-off there. `solve` solves the translated model. Returns `None` without such a support, or if the
 /// solution fails.
 pub(crate) fn from_settlement(
     model: &Model,

@@ -87,8 +87,8 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
 }
 
 impl Solution {
-    /// Finds the nearest change of contact: the quantity with the smallest [margin](Nearest::margin) among all
-    /// quantities of [`Condition`]. Returns `None` if the solution has none of these quantities.
+    /// Finds the nearest change of contact: the quantity of [`Condition`] with the smallest
+    /// [margin](Nearest::margin). Returns `None` if no condition applies to the solution.
     pub(super) fn nearest_change_in(&self, frame: &Frame) -> Option<Nearest> {
         let mut all: Vec<Nearest> = Vec::new();
         self.pressures(frame, &mut all);

@@ -267,8 +267,7 @@ impl<R: Real> Cell<R> {
                     value(&self.shear_layer_along(), s[i])
                 }
             });
-            let spring = course(&self.subgrade_along());
-            part.set_ground(&spring, &course(&self.shear_layer_along()), ends);
+            part.set_ground(&self.ground().part(s), ends);
         }
         part
     }
@@ -278,15 +277,10 @@ impl<R: Real> Cell<R> {
         (self.stiffness, self.varies.stiffness) = (*first, *rest);
     }
 
-    fn set_ground(
-        &mut self,
-        spring: &[R; Profile::MOST],
-        shear: &[R; Profile::MOST],
-        shear_ends: [R; 2],
-    ) {
-        let first = |c: &[R; Profile::MOST]| (c[0], std::array::from_fn(|i| c[i + 1]));
-        (self.subgrade, self.varies.subgrade) = first(spring);
-        (self.shear_layer, self.varies.shear_layer) = first(shear);
+    fn set_ground(&mut self, ground: &GroundStretch<R>, shear_ends: [R; 2]) {
+        let first = |c: &[R; GROUND]| (c[0], std::array::from_fn(|i| c[i + 1]));
+        (self.subgrade, self.varies.subgrade) = first(&ground.subgrade);
+        (self.shear_layer, self.varies.shear_layer) = first(&ground.shear_layer);
         let varies = self.varies.shear_layer.iter().any(|c| *c != 0.0);
         self.varies.shear_layer_ends = varies.then_some(shear_ends);
     }
@@ -328,7 +322,9 @@ impl Cell {
 
     /// Sets k and μ from a segment.
     pub fn set_courses(&mut self, [spring, shear]: &[CellPolynomial; 2]) {
-        self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
+        let [subgrade, shear_layer] =
+            [spring, shear].map(|course| std::array::from_fn(|i| course.coefficients[i]));
+        self.set_ground(&GroundStretch { subgrade, shear_layer }, shear.ends);
     }
 
     /// Converts the data of the cell to dual numbers with derivatives with respect to N parameters. Entry i of `by`

@@ -102,8 +102,8 @@ impl Hull<'_> {
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // If bonded ground presses on all nodes of the block and on the node before the block, or on none of
-                // these nodes, no row of pressed nodes begins or ends in the block.
+                // No row of pressed nodes begins or ends in the block if its nodes are pressed exactly as the node
+                // before the block.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {

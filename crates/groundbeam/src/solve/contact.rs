@@ -1,6 +1,7 @@
 //! Finds the contact set of a convex problem by the chosen method, from the model and its verdict on existence.
 
 use crate::cancel::Cancel;
+use crate::contact::edges::Judge;
 use crate::contact::intervals::Interval;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::uzawa::{self, Relaxation};
@@ -57,7 +58,7 @@ fn find_exactly(
     existence: Existence,
     likely: Option<&[Interval]>,
     cancel: &Cancel,
-    judge: &mut dyn FnMut(&ContactState) -> f64,
+    judge: Judge,
 ) -> Result<ContactState, Unconverged> {
     let Verdict::NotUnique(motion) = existence.verdict else {
         return exact::solve(model, likely, cancel, judge);
