@@ -27,6 +27,29 @@ impl<S: Scalar> Contact<'_, S> {
             && [from, to].into_iter().all(|node| ends(&frame.nodes[node], height))
             && (from + 1..to).all(|node| is_free(&frame.nodes[node]))
     }
+
+    /// Checks the claimed contact of the pieces from `first` to `end` on Winkler ground that rest without pressure. Beam
+    /// and ground touch there, so a part may be listed as contact or not, but only as a whole. A load on the ground opens
+    /// a gap below the part. Returns the first piece that violates this rule.
+    pub(crate) fn divided_rest(&self, first: usize, end: usize) -> Option<usize> {
+        let frame = self.fields.frame;
+        // Whether the last unloaded ground piece of the part is claimed to be in contact.
+        let mut listed = None;
+        (first..end).find(|i| {
+            let span = &frame.spans[*i];
+            if !self.rests(*i) || frame.nodes[*i].clamped {
+                listed = None;
+            }
+            if !self.rests(*i) {
+                return false;
+            }
+            let is_zero = |load: &Line<S>| load.size(span.tau) == Size::ZERO;
+            match span.ground_load.as_ref().is_none_or(is_zero) {
+                true => listed.replace(span.touches).is_some_and(|before| before != span.touches),
+                false => span.touches,
+            }
+        })
+    }
 }
 
 /// Whether a piece has no loads and lies over level ground with the initial gap `height`.
@@ -55,6 +78,7 @@ fn is_free<S: Scalar>(node: &Node<S>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact_set::Shown;
     use crate::given_claim::with_fields;
     use crate::pointwise::PieceBounds;
     use serde_json::json;
@@ -106,6 +130,34 @@ mod tests {
                 let contact = Contact { fields, bounds: &bounds };
                 assert_eq!([0, 1].map(|i| contact.rests(i)), resting, "{text}");
             });
+        }
+    }
+
+    /// The beam has four pieces with the claimed deflection w = ¼ over level ground at the height of the clamp at x = ½.
+    /// Each of the two parts beside the clamp may be listed as contact or not, but only as a whole. A load on the ground
+    /// opens a gap below the last piece.
+    #[test]
+    fn a_resting_part_is_listed_as_a_whole() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 0.25\n\
+                     [[support]]\nat = 0.5\ntype = 'fixed'\nsettlement = 0.25\n";
+        let load = "[[ground_load]]\ndistributed = 1\nfrom = 0.75\nto = 1\n";
+        for touches in 0..16 {
+            let touches = [0, 1, 2, 3].map(|i| touches >> i & 1 == 1);
+            let [a, b, c, d] = touches;
+            for (added, accepted) in [("", a == b && c == d), (load, a == b && !d)] {
+                let piece = |i: usize| {
+                    let from = 0.25 * i as f64;
+                    json!({"x": [from, from + 0.25], "half": 0.125, "touches": touches[i], "deflection": [0.25]})
+                };
+                let pieces = [0, 1, 2, 3].map(piece);
+                let document = json!({ "pieces": pieces });
+                with_fields(&(model.to_owned() + added), &document, |fields| {
+                    let bounds = [PieceBounds::EXACT; 4];
+                    let mut shown = Shown::nothing(5);
+                    let found = Contact { fields, bounds: &bounds }.springs(0, 4, &mut shown);
+                    assert_eq!(found.is_ok(), accepted, "{added}{touches:?}");
+                });
+            }
         }
     }
 }

@@ -18,6 +18,12 @@ impl<S: Scalar> Contact<'_, S> {
     ) -> Result<(), NotProven> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
+        if let Some(piece) = self.divided_rest(first, end) {
+            return Err(self.failed(
+                "a part of the beam that rests on the ground without pressure is claimed to be in contact only in part",
+                piece,
+            ));
+        }
         let mut zones = vec![[Size::ZERO; 2]; end - first];
         // Pieces for which `rests` is true need no check of the claimed fields: in the exact solution, the beam lies
         // on the ground there without pressure.

@@ -17,6 +17,7 @@ use crate::contact::edge_error::EdgeError;
 use crate::contact::edge_step;
 use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
 use crate::contact::obstacle;
+use crate::contact::springs::touches_without_pressure;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
@@ -322,8 +323,8 @@ impl Search<'_, '_> {
     }
 
     /// Solves the beam without contact in the zones whose contact force is only rounding error, and bonded to the
-    /// ground in the other zones. Returns `None` if no zone has such a small force, or if the result does not solve
-    /// the contact problem.
+    /// ground in the other zones. A zone that touches without pressure stays in contact. Returns `None` if no other zone
+    /// has such a small force, or if the result does not solve the contact problem.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -336,15 +337,18 @@ impl Search<'_, '_> {
         let forces = zone_forces(&found.deflection(), contact, &found.zones);
         let all: f64 = forces.iter().map(|force| force.abs()).sum();
         let each = contact.iter().copied().zip(forces);
+        let (w, mesh) = (found.deflection(), &found.mesh);
+        let touches =
+            |[from, to]: Interval| touches_without_pressure(&w, mesh.cell_at(0.5 * (from + to)));
         let (strong, weightless): (Vec<_>, Vec<_>) =
-            each.partition(|(_, force)| *force > WEIGHTLESS * all);
+            each.partition(|(zone, force)| *force > WEIGHTLESS * all || touches(*zone));
         if weightless.is_empty() {
             return None;
         }
         let in_tension = weightless.iter().all(|(_, force)| *force < 0.0);
-        let zones = |part: Vec<(Interval, f64)>| part.into_iter().map(|(zone, _)| zone).collect();
-        let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
-        let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
+        let strong: Vec<Interval> = strong.into_iter().map(|(zone, _)| zone).collect();
+        let mut edge_error = EdgeError::of(&[contact, &strong], self.length());
+        edge_error.moved = edge_error.moved.max(self.moved * self.length());
         let rest = self.bonded.solve_on(&strong).ok()?;
         // Zones in which the ground would be in tension are left out of contact. If the obstacle problem for
         // the new deflection puts these zones in contact again, their tension is rounding error.

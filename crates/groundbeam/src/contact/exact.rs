@@ -7,8 +7,7 @@
 //!
 //! 1. the contact of a neighbouring model, if given;
 //! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
-//! 3. guesses 2 and 4 [relative to the settlement](super::translation) of a fixed support at the ground surface;
-//! 4. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
+//! 3. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
 //!
 //! If rounding errors make the energy gap of the solution too large, the problem is solved once more [relative to a
 //! translation](super::translation).
@@ -66,12 +65,6 @@ fn from_guesses(
         }
     }
     if let Some(found) = from_start(model, cancel, judge) {
-        return Ok(found);
-    }
-    let solve = |model: &Model, judge: Judge| {
-        from_start(model, cancel, judge).or_else(|| from_continuation(model, cancel, judge).ok())
-    };
-    if let Some(found) = translation::from_settlement(model, judge, solve) {
         return Ok(found);
     }
     from_continuation(model, cancel, judge)

@@ -17,7 +17,7 @@
 //! The scan trims each arc only from its ends and passes each cell once, so its cost is O(n).
 
 use crate::contact::short_span;
-use crate::contact::springs::{join, positive_parts, winkler_contact};
+use crate::contact::springs::{join, positive_parts, touches_without_pressure, winkler_contact};
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
@@ -143,12 +143,14 @@ impl Scan<'_> {
 
     /// Returns the candidate intervals (arcs), on which the pressure of the ground in full contact is not negative.
     /// Arcs are joined over cells unless a corner of the obstacle separates them. Also returns single points that
-    /// may carry a force: ends of the shear layer, and corners that press into the ground.
+    /// may carry a force: ends of the shear layer, and corners that press into the ground. A cell on which the obstacle
+    /// is only rounding error has no arcs.
     fn arcs(&self) -> Vec<MeshZone> {
         let cells = self.run.cells.clone();
         let mut arcs: Vec<MeshZone> = Vec::new();
         let mut knots = Vec::new();
-        for i in cells.clone() {
+        let presses = |i: &usize| !touches_without_pressure(self.w, *i);
+        for i in cells.clone().filter(presses) {
             let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
             let pressure = self.w.pressure(i);
             let mut parts = positive_parts(&pressure, &mut knots).peekable();
@@ -163,7 +165,7 @@ impl Scan<'_> {
             }
         }
         let end = BeamPoint { cell: cells.end - 1, s: 1.0 };
-        if arcs.last().is_none_or(|arc| arc.to != end) {
+        if presses(&end.cell) && arcs.last().is_none_or(|arc| arc.to != end) {
             arcs.push(point_zone(end));
         }
         arcs

@@ -1,5 +1,6 @@
 //! Computes the contact zones on ground without a shear layer, and the intervals on which a polynomial is not negative.
 
+use crate::contact::stopping::ULPS;
 use crate::contact::surface::SurfacePart;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::GroundRun;
@@ -12,8 +13,7 @@ pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> 
     let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
     for cell in run.cells.clone() {
-        let obstacle = without_held_zeros(w, cell);
-        for part in positive_parts(&obstacle, &mut knots) {
+        for part in positive_parts(&signed(w, cell), &mut knots) {
             join(&mut zones, cell, part, true);
         }
     }
@@ -24,7 +24,7 @@ pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> 
 pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     let mut knots = Vec::new();
     let mut from = -1.0;
-    for [a, b] in positive_parts(&w.obstacle(cell), &mut knots) {
+    for [a, b] in positive_parts(&signed(w, cell), &mut knots) {
         if from < a {
             parts.push(SurfacePart { cell, s: [from, a], open: Some([0.0; 2]) });
         }
@@ -37,10 +37,14 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
 }
 
 /// Computes a polynomial that has the sign of ψ inside a cell, where ψ is the deflection minus the initial gap and
-/// the free-field settlement. The zeros of ψ at rigid supports are divided out: one at a pinned support, two at a
-/// fixed support. Otherwise, rounding error could move these zeros into the cell and cause a false lift-off zone
-/// there.
-fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
+/// the free-field settlement. If ψ is only rounding error, the polynomial is 0, and the cell is in contact.
+///
+/// The zeros of ψ at rigid supports are divided out: one at a pinned support, two at a fixed support. Otherwise,
+/// rounding error could move these zeros into the cell and cause a false lift-off zone there.
+fn signed(w: &Deflection, cell: usize) -> Coefficients {
+    if touches_without_pressure(w, cell) {
+        return Coefficients::zeros(1);
+    }
     let mut obstacle = w.obstacle(cell);
     for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {
         for _ in 0..count {
@@ -51,6 +55,14 @@ fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
         }
     }
     obstacle
+}
+
+/// Whether ψ is only rounding error on a whole cell, where ψ is the deflection minus the initial gap and the free-field
+/// settlement. Far from all loads, the beam can lie on the unloaded ground in this way. Each sign change of this rounding
+/// error would be a contact edge, and each step of the iteration would divide the cell further.
+pub(super) fn touches_without_pressure(w: &Deflection, cell: usize) -> bool {
+    let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
+    size(&w.obstacle(cell)) <= ULPS * f64::EPSILON * size(w.cell(cell))
 }
 
 /// The intervals of \[−1, 1\] on which a polynomial is not negative. `knots` is a buffer for their ends.

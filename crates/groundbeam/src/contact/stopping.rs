@@ -22,9 +22,9 @@ pub(crate) const JITTER: f64 = 1e-7;
 
 /// Distance between beam and ground, in units in the last place of the deflection, below which rounding error decides
 /// whether beam and ground touch. In the reference model hard-006, which was solved to 60 digits, rounding error
-/// causes distances of at most 1.8 of these units. In a step that makes progress, the distances are 3·10³ units and
-/// more.
-pub(crate) const ULPS: f64 = 8.0;
+/// causes distances of at most 1.8 of these units; in 300 models of an unloaded beam beyond a settled clamp, at most 9.
+/// In a step that makes progress, the distances are 3·10³ units and more.
+pub(crate) const ULPS: f64 = 64.0;
 
 /// If no contact edge moves by more than this fraction of the beam's length, the line search does not shorten the
 /// step, because the decrease of the energy is lost in rounding error. The random test model `Gap 1369` needs a

@@ -10,29 +10,10 @@ use crate::contact::edges::{Judge, Start, edges};
 use crate::contact::intervals::positions;
 use crate::contact::state::ContactState;
 use crate::contact::stopping::FEW_STEPS;
-use crate::mesh::mesh::{Mesh, initial_gap};
-use crate::model::{GapPoint, Model, Support, SupportKind};
+use crate::mesh::mesh::Mesh;
+use crate::model::{GapPoint, Model};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::tolerance::GAP;
-
-/// Solves the contact problem relative to the settlement δ of a fixed support that holds the beam exactly at the ground
-/// surface. Beside this support, an unloaded beam on flat ground has the deflection δ; rounding errors of δ would cause
-/// lift-off there. `solve` solves the translated model. Returns `None` without such a support, or if the
-/// solution fails.
-pub(crate) fn from_settlement(
-    model: &Model,
-    judge: Judge,
-    solve: impl FnOnce(&Model, Judge) -> Option<ContactState>,
-) -> Option<ContactState> {
-    let rests = |support: &&Support| {
-        let settlement = support.settlement;
-        support.kind == SupportKind::Fixed
-            && settlement != 0.0
-            && settlement == initial_gap(model, support.at)
-    };
-    let delta = model.supports.iter().find(rests)?.settlement;
-    relative_to(model, delta, judge, solve)
-}
 
 /// Solves the contact problem once more, relative to the deflection δ at the middle of the shortest cell of `found`.
 /// Short cells lose most digits. Returns `None` if the solution fails.
@@ -46,24 +27,12 @@ pub(crate) fn from_solution(
     let shortest = cells.min_by(|(_, a), (_, b)| a.length().total_cmp(&b.length()))?.0;
     let delta = found.deflection().cell(shortest)[0];
     let start = Start::on(positions(&found.mesh, &found.zones, &[]));
-    let mut state = relative_to(model, delta, judge, |lowered, judge| {
-        edges(&mut Bonded::new(lowered, cancel), start, FEW_STEPS, judge).ok()
-    })?;
-    state.history.splice(0..0, found.history.iter().copied());
-    Some(state)
-}
-
-/// Solves the contact problem relative to a translation δ. Returns `None` if `solve` fails, or if the relative energy gap
-/// of its solution is too large.
-fn relative_to(
-    model: &Model,
-    delta: f64,
-    judge: Judge,
-    solve: impl FnOnce(&Model, Judge) -> Option<ContactState>,
-) -> Option<ContactState> {
     let back = |state: ContactState| translated(model, state, delta);
     let mut judge_back = |state: &ContactState| judge(&back(state.clone()));
-    let state = back(solve(&lowered(model, delta), &mut judge_back)?);
+    let lowered = lowered(model, delta);
+    let solved = edges(&mut Bonded::new(&lowered, cancel), start, FEW_STEPS, &mut judge_back);
+    let mut state = back(solved.ok()?);
+    state.history.splice(0..0, found.history.iter().copied());
     (judge(&state) <= GAP).then_some(state)
 }
 

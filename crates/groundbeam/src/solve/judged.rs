@@ -28,10 +28,14 @@ impl<'a> Judged<'a> {
         certificate.relative_gap()
     }
 
-    /// Returns the last checked candidate and its certificate. If the iteration has checked no candidate, as in the
-    /// methods with a mesh, both are computed from `found`.
+    /// Returns the last checked candidate and its certificate, with the edge error of `found`. If the iteration has
+    /// checked no candidate, as in the methods with a mesh, both are computed from `found`.
     pub fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
-        self.last.take().unwrap_or_else(|| self.certified(found))
+        let (mut candidate, certificate) =
+            self.last.take().unwrap_or_else(|| self.certified(found));
+        // The iteration estimates the edge error after the check.
+        candidate.edge_error.clone_from(&found.edge_error);
+        (candidate, certificate)
     }
 
     fn certified(&mut self, found: &ContactState) -> (Candidate, Certificate) {
