@@ -17,7 +17,7 @@ use crate::contact::edge_error::EdgeError;
 use crate::contact::edge_step;
 use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
 use crate::contact::obstacle;
-use crate::contact::springs::touches_without_pressure;
+use crate::contact::springs::is_rounding_error;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
@@ -323,8 +323,9 @@ impl Search<'_, '_> {
     }
 
     /// Solves the beam without contact in the zones whose contact force is only rounding error, and bonded to the
-    /// ground in the other zones. A zone that touches without pressure stays in contact. Returns `None` if no other zone
-    /// has such a small force, or if the result does not solve the contact problem.
+    /// ground in the other zones. A zone stays in contact if the distance between beam and ground is only rounding
+    /// error. Returns `None` if no other zone has such a small force, or if the result does not solve the contact
+    /// problem.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -338,10 +339,9 @@ impl Search<'_, '_> {
         let all: f64 = forces.iter().map(|force| force.abs()).sum();
         let each = contact.iter().copied().zip(forces);
         let (w, mesh) = (found.deflection(), &found.mesh);
-        let touches =
-            |[from, to]: Interval| touches_without_pressure(&w, mesh.cell_at(0.5 * (from + to)));
+        let is_lost = |[from, to]: Interval| is_rounding_error(&w, mesh.cell_at(0.5 * (from + to)));
         let (strong, weightless): (Vec<_>, Vec<_>) =
-            each.partition(|(zone, force)| *force > WEIGHTLESS * all || touches(*zone));
+            each.partition(|(zone, force)| *force > WEIGHTLESS * all || is_lost(*zone));
         if weightless.is_empty() {
             return None;
         }

@@ -17,7 +17,7 @@
 //! The scan trims each arc only from its ends and passes each cell once, so its cost is O(n).
 
 use crate::contact::short_span;
-use crate::contact::springs::{join, positive_parts, touches_without_pressure, winkler_contact};
+use crate::contact::springs::{is_rounding_error, join, positive_parts, winkler_contact};
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
@@ -149,7 +149,7 @@ impl Scan<'_> {
         let cells = self.run.cells.clone();
         let mut arcs: Vec<MeshZone> = Vec::new();
         let mut knots = Vec::new();
-        let presses = |i: &usize| !touches_without_pressure(self.w, *i);
+        let presses = |i: &usize| !is_rounding_error(self.w, *i);
         for i in cells.clone().filter(presses) {
             let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
             let pressure = self.w.pressure(i);

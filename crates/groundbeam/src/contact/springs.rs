@@ -42,7 +42,7 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
 /// The zeros of ψ at rigid supports are divided out: one at a pinned support, two at a fixed support. Otherwise,
 /// rounding error could move these zeros into the cell and cause a false lift-off zone there.
 fn signed(w: &Deflection, cell: usize) -> Coefficients {
-    if touches_without_pressure(w, cell) {
+    if is_rounding_error(w, cell) {
         return Coefficients::zeros(1);
     }
     let mut obstacle = w.obstacle(cell);
@@ -59,10 +59,12 @@ fn signed(w: &Deflection, cell: usize) -> Coefficients {
 
 /// Whether ψ is only rounding error on a whole cell, where ψ is the deflection minus the initial gap and the free-field
 /// settlement. Far from all loads, the beam can lie on the unloaded ground in this way. Each sign change of this rounding
-/// error would be a contact edge, and each step of the iteration would divide the cell further.
-pub(super) fn touches_without_pressure(w: &Deflection, cell: usize) -> bool {
+/// error would be a contact edge, and each step of the iteration would divide the cell further. If ψ is exactly zero, it
+/// has no sign changes.
+pub(super) fn is_rounding_error(w: &Deflection, cell: usize) -> bool {
     let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
-    size(&w.obstacle(cell)) <= ULPS * f64::EPSILON * size(w.cell(cell))
+    let obstacle = size(&w.obstacle(cell));
+    0.0 < obstacle && obstacle <= ULPS * f64::EPSILON * size(w.cell(cell))
 }
 
 /// The intervals of \[−1, 1\] on which a polynomial is not negative. `knots` is a buffer for their ends.
