@@ -202,9 +202,8 @@ def by_lapack_natural(x, force, moment):
     put(i, i, u)
     j = i[:-1]
     e = EI / h**3
-    # The shear layer acts on an element like a spring of stiffness c between the deflections of its two ends. The
-    # difference of these deflections is h·w' + d₁. h is the length of the element, and w' is the slope at the left end.
-    # d₁ is the distance of the right end from the tangent at the left end.
+    # The shear layer is a spring of stiffness c between the ends of an element of length h. Their deflections differ by
+    # h·w' + d₁: w' is the slope at the left end, d₁ the distance of the right end from the tangent there.
     for a, b, value in [(1, 1, c * h * h), (1, 2, c * h), (2, 1, c * h), (2, 2, 12 * e + c), (2, 3, -6 * e), (3, 2, -6 * e), (3, 3, 4 * e)]:
         put(j + a, j + b, value)
     for row, terms in [(4, [(6, 1.0), (0, -1.0), (1, -h), (2, -1.0)]), (5, [(7, h), (1, -h), (3, -1.0)])]:

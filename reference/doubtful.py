@@ -197,9 +197,8 @@ def balance(title):
         height = lambda t: value + slope * (t - x) + settled * mp.exp(-b * abs(t - c)) - deflection
         tangent = lambda t: slope - (1 if right else -1) * b * settled * mp.exp(-b * abs(t - c))
         ratio = lambda t: height(t) / (t - c) if t != c else tangent(t)
-        # `stationary` is zero where the derivative of `ratio` is zero. With h(t) = height(t), the derivative of
-        # `stationary` is h''(t) (t - c). The sign of h'' is constant, so `stationary` is monotonic on each side of c and
-        # has at most one root on each side.
+        # `stationary` is zero where the derivative of `ratio` is zero. It is monotonic on each side of c, because the
+        # sign of height'' is constant.
         stationary = lambda t: tangent(t) * (t - c) - height(t)
         values = [ratio(near), ratio(far)]
         if near != c and stationary(near) * stationary(far) < 0:

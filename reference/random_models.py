@@ -251,10 +251,9 @@ def gap(r, index):
 
 # ---- hard models -------------------------------------------------------------------------------------
 
-# Models with a load at a contact edge. Each row contains l, EI, k, mu, the position of a unit force and of a moment,
-# the moment, and further loads. The moment was found by the secant method so that the distance between the first
-# further load and the contact edge is at most 1e-16 m. In the second row only, the moment is smaller by 1e-9 N m, and
-# the distance is about 3e-9 m.
+# Models with a load at a contact edge. A row contains l, EI, k, mu, the position of a unit force and a moment, the
+# moment, and further loads. The secant method gave moments with a contact edge within 1e-16 m (second row: 3e-9 m) of
+# the first further load.
 EDGE_LOADS = [
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),

@@ -138,8 +138,7 @@ fn neighbour(model: &Model) -> Model {
     model
 }
 
-/// Measures the solve time of models after an increase of their first load by 2 %. Each model is solved twice: from
-/// scratch, and with the contact zones before the increase as initial guess.
+/// Compares two solve times after a 2 % increase of the first load: from scratch, and from the previous contact zones.
 fn followed() -> String {
     let mut table = Table::new(
         "A neighbouring model, its first load 2 % larger: from the contact of the previous model, or from scratch",

@@ -112,10 +112,8 @@ pub fn peak(axial_force: f64, n: usize) {
     println!("{}", peak_memory().unwrap_or(f64::NAN));
 }
 
-/// Solves benchmark case B on a mesh of `n` elements, and writes the problem and its solutions to a file that other
-/// programs read. The file lists node positions, nodal forces and nodal moments. It also lists the deflections and
-/// contact forces of the beam that can lift off, and the deflections of the bonded beam, computed in double-double
-/// arithmetic. The function prints the number of nodes and the smallest solve time \[s\] of each of the two beams.
+/// Writes benchmark case B on a mesh of `n` elements and its double-double solutions to `file`, for other programs.
+/// Prints the number of nodes, and the smallest solve times \[s\] of the bonded beam and of the beam with lift-off.
 pub fn problem(n: usize, file: &std::path::Path) {
     let model = long_beam(0.0);
     let mut solver = NodalSolver::new();

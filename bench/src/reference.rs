@@ -1,7 +1,7 @@
 //! Solves the beam in contact on a mesh, in double-double arithmetic, for a given set of contact nodes.
 //!
-//! The caller checks the signs of the solution: no contact force is tensile, and no node of the beam is below the
-//! ground surface. The contact problem is convex, so correct signs prove that the given set is the contact set.
+//! The caller checks that no contact force is tensile and no node lies below the ground surface. These signs prove the
+//! contact set, because the contact problem is convex.
 
 use crate::quad::Quad;
 use groundbeam::{
@@ -163,14 +163,12 @@ fn solve_block(d: &Block, b: &Block, r: &[Quad; 3]) -> [[Quad; 4]; 3] {
     x
 }
 
-/// Returns the stiffness matrix of the beam at the left end of an element, the coupling matrix between the two ends,
-/// and two stiffnesses of the ground: of the spring under each end, and of the spring between the two ends.
-///
-/// The stiffness of the beam follows from the Stumpff functions of t = P h²/EI. P is the axial force, and h is the
-/// length of the element. The axial force is positive in tension, and may be negative or zero.
+/// Returns the stiffness of an element of length `h`: of the beam at the left end, of the beam between both ends, and
+/// of the ground springs under each end and between the ends.
 fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]) {
     let q = Quad::from;
     let ei = q(model.beam.bending_stiffness);
+    // The Stumpff functions of t are valid for tension (positive axial force), compression and no axial force.
     let t = q(model.beam.axial_force) * h * h / ei;
     let (c1, c2, c3) = (stumpff(t, 1), stumpff(t, 2), stumpff(t, 3));
     let d = c2 * c2 - c1 * c3;
@@ -185,8 +183,7 @@ fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]
     let far = [[-kww, kwt], [-kwt, across]];
     let (k, mu) = (q(model.foundation.subgrade), q(model.foundation.shear_layer));
     let z2 = k * h * h / mu;
-    // With the element length h and z = h √(k/μ), the ground has a spring of stiffness √(kμ) / sinh z between the two
-    // ends of the element, and a spring of stiffness √(kμ) tanh(z/2) under each end.
+    // Ground springs with z = h √(k/μ): √(kμ) tanh(z/2) under each end, and √(kμ)/sinh z between the ends.
     let (s1, s2) = (stumpff(z2, 1), stumpff(z2, 2));
     (near, far, [k * h * s2 / s1, mu / h / s1])
 }

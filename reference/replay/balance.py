@@ -200,8 +200,8 @@ def give_back(r, factors):
             r.added[i] = length * load / 4 + couple
             r.added_shear[i] = load + couple / length
             r.steep[i] = upper(slope)
-    # `drawn` is |β| on each piece. The axial tension P exerts the transverse force Pw′ + β, where w′ is the slope of the
-    # beam and β is proportional to the slope of the relative pressure change λ.
+    # `drawn` is |β| on each piece. The tension P exerts the transverse force Pw′ + β, with β proportional to the slope
+    # of λ.
     r.drawn = [r.carrier * steep for steep in r.steep]
     if r.carrier > 0:
         r.shows("the axial force carries a part of the transverse loads, but it is not tensile", r.tension is not None)

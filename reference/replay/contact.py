@@ -25,9 +25,8 @@ class Contact:
     def __init__(self, r, errors, edges):
         self.r, self.errors, self.at = r, errors, {}
         for edge in edges:
-            # In the first round of the proof, the log can have two entries for one edge, one for each adjacent piece. An
-            # entry contains the largest distances of the exact edge from the claimed edge, outside and inside the contact
-            # region. Of two entries, the larger outside distance and the larger inside distance are used.
+            # The first round can log an edge twice, once for each adjacent piece. The larger distances outside and
+            # inside the region count.
             other = self.at.setdefault((edge.node, edge.side), edge)
             other.outside, other.inside = other.outside.max(edge.outside), other.inside.max(edge.inside)
         self.edges = list(self.at.values())

@@ -11,8 +11,8 @@ def check(r):
     of √g."""
     count = len(r.pieces)
     r.u = [None] * (count + 1)
-    # On pieces out of contact where k or μ varies, `along` is the settlement u of the ground, and `missed` is an upper
-    # bound on the magnitude of the residual ku − (μu′)′ − q, where q is the load on the ground.
+    # On open pieces where k or μ varies, `along` is the settlement u, and `missed` is a bound of |ku − (μu′)′ − q| for
+    # the ground load q.
     r.along, r.missed = [None] * count, [arb(0)] * count
     # `flux` is the flux μu′ at both ends of each open piece.
     r.flux = [None] * count

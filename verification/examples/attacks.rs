@@ -1,8 +1,8 @@
 //! Compares the errors of wrong answers with the proven bounds of these errors.
 //!
-//! `… --example attacks -- 10000 FIRST` tests 10000 random models, starting with model number FIRST. The errors are
-//! differences from the answer of the solver. `… --example attacks -- exact 10` tests ten wrong answers for each model
-//! of `reference/answers`. The errors are differences from the stored answers, which were computed with 60 digits.
+//! `… --example attacks -- 10000 FIRST` compares 10000 random models, from number FIRST on, with the answers of the
+//! solver. `… --example attacks -- exact 10` compares ten wrong answers for each model of `reference/answers` with the
+//! answers in 60 digits.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;
@@ -88,8 +88,8 @@ fn exact(each: u64) -> Vec<Case> {
     Answer::all().into_par_iter().enumerate().flat_map_iter(of_model).collect()
 }
 
-/// Prints one row for each group of wrong answers that have the same name. The row contains the number of answers, the
-/// number of answers with error bounds, the number of proven answers, and the largest ratio of error to bound.
+/// Prints one row for each name: the numbers of wrong answers, of those with error bounds and of proven ones, and the
+/// largest ratio of error to bound.
 fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     let mut table: BTreeMap<String, (usize, usize, usize, f64)> = BTreeMap::new();
     for case in cases {

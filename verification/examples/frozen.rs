@@ -5,8 +5,8 @@
 //! … --example frozen -- answer [--folder FOLDER] [FAMILY …]
 //! ```
 //!
-//! `compare` lists every difference that exceeds its bound; with `--bits` it lists every number that differs in any
-//! bit. `answer` solves the frozen models with the present program and replaces the frozen answers and certificates.
+//! `compare` lists the differences that exceed their bounds; with `--bits` it lists all numbers with different bits.
+//! `answer` replaces the frozen answers and certificates by those of the present program.
 
 use groundbeam::solve;
 use groundbeam_verification::frozen::{self, Frozen, bits, bounds};

@@ -1,5 +1,6 @@
-//! Applies every function of the library to hostile models and model files, and lists those that cause a panic. `…
-//! --example hostile_models -- 10000 FIRST` tests 10000 models and 10000 files from the number FIRST on.
+//! Applies every function of the library to hostile models and model files, and lists those that cause a panic.
+//!
+//! `… --example hostile_models -- 10000 FIRST` tests 10000 models and 10000 files from number FIRST on.
 
 use groundbeam_verification::hostile::{exercise, exercise_text, model, mutated, panics, texts};
 use std::time::{Duration, Instant};

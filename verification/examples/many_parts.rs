@@ -1,7 +1,7 @@
 //! Measures how the time to read and check a model grows with the number of its parts, such as loads or supports.
 //!
-//! The check decides whether an equilibrium exists, and estimates the memory that a solution needs. `… --example
-//! many_parts -- 10000 100000` measures the time for 10000 and for 100000 parts.
+//! The check decides on existence and estimates the memory. `… --example many_parts -- 10000 100000` measures 10000 and
+//! 100000 parts.
 
 use groundbeam::{Options, exists, memory_estimate};
 use groundbeam_file::{UnitSystem, parse, write_toml};

@@ -4,9 +4,9 @@
 //! … --example proofs -- [--most N] [NAME …]
 //! ```
 //!
-//! NAME is a part of the path of a case, or of the name of a family of random models. N is the number of models of
-//! each family. For each model the program prints three bounds of the energy of the error, relative to the strain
-//! energy: the estimate of the certificate, and the bounds of the proofs with the number types `Wide` and `Ball`.
+//! NAME is a part of the path of a case or of the name of a family. N is the number of models of each family. The
+//! program prints the energy of the error relative to the strain energy: the estimate of the certificate, and the
+//! bounds of the proofs with `Wide` and `Ball`.
 
 use groundbeam::proof::{Ball, Enclosing, Proof, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, solve};

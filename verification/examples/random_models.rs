@@ -4,9 +4,8 @@
 //! … --example random_models -- [COUNT] [exact | active-set] [FAMILY] [FIRST]
 //! ```
 //!
-//! The program solves COUNT models of each family, starting with model number FIRST. If a single model of a family can
-//! take seconds, it solves at most 2000 models of this family. `active-set` uses meshes of 1 to 10 000 elements, and
-//! omits the families that only the exact method solves.
+//! The program solves COUNT models of each family from number FIRST on, but at most 2000 of three slow families.
+//! `active-set` uses meshes of 1 to 10 000 elements and solves only the families of `Family::ALL`.
 
 use groundbeam::{Method, Options, Outcome, solve_with};
 use groundbeam_verification::random::{Family, model};

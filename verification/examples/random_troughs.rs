@@ -1,7 +1,7 @@
 //! Prints how much the results of random models differ if n or 2n chords (straight segments) replace the settlement troughs.
 //!
-//! `… --example random_troughs -- 1000 FIRST` tests 1000 models, starting with model number FIRST. `… -- show NUMBER`
-//! prints the file of the model with this number.
+//! `… --example random_troughs -- 1000 FIRST` tests 1000 models from number FIRST on. `… -- show NUMBER` prints the
+//! file of one model.
 
 use groundbeam_verification::troughs::{Result, drawn, result};
 

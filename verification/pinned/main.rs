@@ -1,7 +1,6 @@
 //! Solves random models with the code of the pinned commit, and writes the models and their answers to text files.
 //!
-//! `run.sh` copies this folder into the sources of that commit and builds it there. The code uses the interface of that
-//! commit and does not belong to the present workspace. `verification/src/frozen` reads the files.
+//! `run.sh` builds this folder within the sources of that commit. `verification/src/frozen` reads the files.
 
 mod answer;
 mod model;
@@ -40,8 +39,8 @@ const FAMILIES: [Family; 20] = [
 
 /// Number of models of each family that are written to the files, in addition to the models in `NAMED`.
 const FIRST: u64 = 200;
-/// Number of models of each family for which the fields at all positions are written. They are also written for the
-/// models in `NAMED`. For all other models, the fields at five positions are written.
+/// Number of models of each family with fields at all positions, in addition to those in `NAMED`. Other models have
+/// fields at five positions.
 const IN_FULL: u64 = 40;
 
 /// For each family, the numbers of the models that measurements, documents or tests mention.

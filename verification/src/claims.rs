@@ -54,9 +54,8 @@ pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     }
 }
 
-/// Returns the largest ratio of |claimed − true| to the proven bound, at positions where no field jumps. `ground`
-/// states whether both solutions belong to models with the same ground. If it is false, the settlements are not
-/// compared.
+/// Returns the largest ratio of error to proven bound, at positions where no field jumps. Settlements are compared only
+/// if both models have the same ground.
 pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: bool) -> f64 {
     let length = truth.model().beam.length;
     let mut worst: f64 = 0.0;
@@ -73,8 +72,8 @@ pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: b
     worst
 }
 
-/// Returns the bending energy ½∫(ΔM)²/EI of the moment error ΔM. If `ground` is true, it adds ½∫k(Δu)² along the beam,
-/// with the settlement error Δu. Gauss's rule with two points integrates between neighbouring stations of both answers.
+/// Returns the bending energy of the moment error, and if `ground` is true, the energy of the settlement error in the
+/// springs. Gauss's rule with two points integrates between stations.
 pub fn energy_of_error(claimed: &Solution, truth: &Solution, ground: bool) -> f64 {
     let model = truth.model();
     let density = |x: f64| {

@@ -83,8 +83,8 @@ pub fn errors(model: &Model, quantity: Quantity) -> Errors {
     })
 }
 
-/// Returns the order of convergence: minus the slope of the least-squares line of log(error) against log(number of
-/// elements). Errors up to `floor` are omitted as rounding errors. Returns `None` if fewer than three errors remain.
+/// Returns the order of convergence, by least squares. Errors up to `floor` are omitted as rounding errors; `None` if
+/// fewer than three remain.
 pub fn order(errors: &Errors, floor: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> = ELEMENTS
         .iter()

@@ -1,9 +1,8 @@
 //! Solves the discrete problem (5.10)–(5.11) of Kikuchi's paper with dense matrices.
 //!
 //! The mesh is uniform, and all point loads act at nodes. This file shares no code with the library. The element
-//! stiffness for the deflections and slopes of both ends is taken from textbooks, and the flexibility matrix of the ground
-//! is computed by Green's function (2.4) of the paper. In a beam under tension, exact beam elements replace the cubic
-//! elements (5.2) of the paper.
+//! matrices are from textbooks, and the flexibility of the ground is Green's function (2.4) of the paper. Under
+//! tension, exact elements replace the cubic elements (5.2).
 
 use crate::element;
 use groundbeam::{
@@ -11,16 +10,14 @@ use groundbeam::{
     model::{Action, Extent},
 };
 
-/// The matrices K and G and the load vector F of the Lagrangian ½WᵀKW − FᵀW − ½pᵀGp + pᵀw, (5.9) of Kikuchi's paper. W
-/// contains the deflections w and the slopes of the nodes, and p contains the ground forces at the nodes. The deflection
-/// between the nodes is (5.3) of the paper, the settlement (5.6).
+/// Matrices and load vector of the Lagrangian (5.9) of Kikuchi's paper. Between the nodes, the deflection is (5.3) and
+/// the settlement is (5.6).
 #[derive(Debug, Clone)]
 pub struct Dense {
     /// Number of nodes.
     pub nodes: usize,
-    /// Stiffness matrix K of the beam, (5.4) of Kikuchi's paper. Its unknowns are the deflections and slopes w₁, θ₁,
-    /// w₂, θ₂, … of the nodes, followed by one additional slope for each hinge, the slope of the element to the right of
-    /// the hinge.
+    /// Stiffness matrix (5.4) of the beam. Its unknowns are deflection and slope of each node, then the slope to the
+    /// right of each hinge.
     pub stiffness: Vec<Vec<f64>>,
     /// Load vector F, with one entry for each unknown.
     pub load: Vec<f64>,
@@ -110,10 +107,8 @@ impl Dense {
         })
     }
 
-    /// Solves K W + p = F with the contact condition (G p − w)ᵢ = 0 at the touching nodes, and p = 0 at all other
-    /// nodes. K is the stiffness matrix and F the load vector of the beam, W contains the deflections w and the
-    /// slopes of the nodes, and G is the flexibility matrix of the ground. Returns w and the contact forces p; `None`
-    /// if a contact force is tensile or the beam penetrates the ground.
+    /// Solves the problem with contact at the given nodes. Returns the deflections and the contact forces; `None` if a
+    /// contact force is tensile or the beam penetrates the ground.
     fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
         let (n, m) = (self.load.len(), touching.len());
         let mut a = vec![vec![0.0; n + m + 1]; n + m];

@@ -1,7 +1,7 @@
 //! Finds the names that each source file of a crate uses from the other files of this crate.
 //!
-//! A re-exported name belongs to the file that defines this name. Unit tests are not counted. Method calls are not
-//! counted either, because they contain no path.
+//! A re-exported name belongs to the file that defines it. Unit tests and method calls, which contain no path, are not
+//! counted.
 
 use crate::architecture::{Source, sources};
 use petgraph::algo::tarjan_scc;

@@ -1,6 +1,7 @@
-//! Solves beams with shear deformation by elements in which deflection w, rotation φ and settlement u are linear. The
-//! shear strain is evaluated at one point of each element (Hughes, Taylor and Kanoknukulchai 1977). The contact set
-//! of the nodes is found by trial.
+//! Solves beams with shear deformation by elements in which deflection w, rotation φ and settlement u are linear.
+//!
+//! The shear strain is evaluated at one point of each element (Hughes, Taylor and Kanoknukulchai 1977). The contact set
+//! is found by trial.
 
 use groundbeam::{
     Model, SupportKind,

@@ -65,8 +65,8 @@ pub enum Family {
 }
 
 impl Family {
-    /// All families that every method solves, within milliseconds per model. The list excludes `Extreme`, which can
-    /// take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method solves.
+    /// The families whose models `exact` and `active-set` solve within milliseconds: all except `Shearing`, `Extreme`,
+    /// `Compressed` and `CompressedToo`.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -275,9 +275,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if family == Family::Neighbours {
         add_neighbours(&mut model, dice);
     }
-    // λl is the length of the beam divided by the characteristic length 1/λ = (4EI/k)^¼. At λl = 100, a moment that
-    // shifts the resultant of the loads to an end would lift the beam by more than 10⁶ times its settlement. Therefore
-    // only beams with λl below 30 get such a moment.
+    // At λl = 100, with the wave number λ, a moment that shifts the resultant to an end would lift the beam by more
+    // than 10⁶ times its settlement.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
     }

@@ -61,8 +61,7 @@ pub struct Doubtful {
     pub balance: Balance,
 }
 
-/// The reference answer for a model with a doubtful stretch of the beam. On this stretch, the contact force or the
-/// clearance is too small to decide in double precision whether the beam touches the ground.
+/// The reference answer for a model with a stretch on which doubles cannot decide whether the beam touches the ground.
 #[derive(Debug, Deserialize)]
 pub struct DoubtfulZone {
     /// The reference answer.

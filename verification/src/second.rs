@@ -34,9 +34,8 @@ impl Comparison {
         self.number_beside(name, first, second, first);
     }
 
-    /// Compares a number of the first model with the enclosure of the same number in the second model. `largest` is
-    /// the largest magnitude of the numbers from which this number is computed; it determines the accepted width of
-    /// the enclosure.
+    /// Compares a number with its enclosure in the second model. The accepted width is relative to `largest`, the
+    /// largest number from which it is computed.
     fn number_beside(&mut self, name: &str, first: f64, second: Wide, largest: f64) {
         self.numbers += 1;
         let difference = (first - second.middle()).abs();

@@ -26,9 +26,8 @@ pub struct Drawn {
     pub troughs: Vec<Trough>,
 }
 
-/// Returns the random model with the given number. A number always gives the same model. The stiffnesses, the loads and
-/// the settlement troughs vary more widely than in practice. Models with even numbers have Winkler ground, models with
-/// odd numbers have a shear layer.
+/// Returns the random model with the given number. Even numbers have Winkler ground, odd numbers a shear layer. The
+/// data vary more widely than in practice.
 pub fn drawn(number: u64) -> Drawn {
     let mut random = ChaCha8Rng::seed_from_u64(number);
     let r = &mut random;
@@ -148,8 +147,7 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     Model { gap, ..model.clone() }
 }
 
-/// The differences between two solutions. The differences of w, M and p are relative to the largest magnitude of the
-/// quantity, and those of the contact edges are relative to the beam length.
+/// The relative differences between two solutions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Changed {
     /// Differences between the extremes of deflection, moment and pressure in the two solutions. Each difference is
@@ -190,10 +188,8 @@ fn edges(solution: &Solution) -> Vec<Edge> {
     openings.flat_map(ends).collect()
 }
 
-/// Returns the largest distance from a contact edge in `from` to the nearest contact edge in `to`. Each distance is
-/// limited to half the length of the part without contact that ends at the edge in `from`. The reason is that a beam on
-/// a shear layer lifts off at every V-shaped corner of the ground surface, and some corners exist in only one of the
-/// two models.
+/// Returns the largest distance from an edge in `from` to the nearest edge in `to`, at most half the adjacent opening.
+/// On a shear layer, some openings at corners exist in only one of the two models.
 fn apart(from: &[Edge], to: &[Edge]) -> f64 {
     let distance = |edge: &Edge| {
         to.iter().map(|other| (edge.at - other.at).abs()).fold(0.5 * edge.opening, f64::min)

@@ -1,8 +1,8 @@
 //! Solves beams under compression on one-way springs at the nodes of a mesh, by Newton's method in small steps of compression.
 //!
-//! This file shares no code with the library. The stiffness matrices of the cubic elements are taken from textbooks,
-//! and each node has one spring for the ground. An equilibrium is stable if the whole stiffness matrix has a Cholesky
-//! factorisation. The beam and the Winkler ground must be uniform. The error is of second order in the element length.
+//! This file shares no code with the library. The cubic elements are from textbooks, and each node has one ground
+//! spring. An equilibrium is stable if the stiffness matrix has a Cholesky factorisation. Beam and Winkler ground must
+//! be uniform. The error is of second order in the element length.
 
 use crate::element;
 use groundbeam::{
@@ -166,8 +166,8 @@ impl Meshed {
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()
     }
 
-    /// Increases the axial compression from zero to `compression` in `steps` equal steps. Returns the deflections w
-    /// and the rotations θ of the nodes after the last step; `None` if a step has no stable solution.
+    /// Increases the axial compression from zero in equal steps. Returns the deflections and rotations after the last
+    /// step; `None` if a step has no stable solution.
     pub fn branch(&self, compression: f64, steps: usize) -> Option<Vec<f64>> {
         let mut w = self.settle(0.0, &self.at_rest())?;
         for step in 1..=steps {

@@ -54,8 +54,8 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     })
 }
 
-/// Proves each solution in the result document. Returns an empty list if no model has a solution. For combinations,
-/// each solution is listed at all positions of the envelope, so that every printed number is proven.
+/// Proves each solution in the result document. Without `stations`, combinations are proven at all positions of the
+/// envelope.
 fn proven(
     results: &Results,
     input: &Input,

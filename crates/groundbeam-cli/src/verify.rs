@@ -82,8 +82,7 @@ struct ModelFile {
 }
 
 impl ModelFile {
-    /// Reads the model file with the solver's reader and with the proof's own reader. The solver's reader reports
-    /// faults with their locations, and lists the files that the model file names.
+    /// Reads the model file with the solver's reader, which locates faults, and with the proof's own reader.
     fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = bytes_of(path)?;
         let text = groundbeam_file::text_of(&bytes).map_err(|found| {

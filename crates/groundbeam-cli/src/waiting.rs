@@ -13,8 +13,7 @@ pub const PROGRESS_DELAY: Duration = Duration::from_secs(1);
 /// Time between two updates of the progress display.
 const TICK: Duration = Duration::from_millis(120);
 
-/// Runs `work` and shows progress on a terminal. `work` calls its argument after each finished task. If the number of
-/// tasks `pieces` is greater than 1, the number of finished tasks is shown.
+/// Runs `work` and shows progress on a terminal. `work` calls its argument after each of the `pieces` tasks.
 pub fn while_working<T>(
     words: String,
     pieces: usize,

@@ -22,8 +22,7 @@ use std::collections::HashSet;
 ///
 /// # Errors
 ///
-/// Returns one diagnostic for each entry that is not a load case. Byte positions count from the start of `list`, so
-/// pass `list` as the text to [`Diagnostics::render`].
+/// Returns one diagnostic for each entry that is not a load case. Its byte positions refer to `list`.
 pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<String>, Diagnostics> {
     let known = names(&document.cases);
     let mut chosen = list::read(list, |name| {

@@ -89,8 +89,8 @@ fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
 }
 
 impl Combination {
-    /// Returns the factor on a train, or `None` if the combination omits the load case of the train. The factor is 1
-    /// if the train has no load case or the file has no combinations of loads.
+    /// Returns the factor on a train, or `None` if the combination omits its load case. Without a load case or
+    /// combinations, the factor is 1.
     pub fn factor_of(&self, train: &MovingTrain) -> Option<f64> {
         let Some(case) = train.case.as_ref().filter(|_| !self.as_written) else {
             return Some(1.0);
@@ -141,8 +141,8 @@ impl Document {
     /// Returns the combinations of the file, each with its own model. The list is empty if the file has neither
     /// combinations nor a [`Band`].
     ///
-    /// With a [`Band`], the list contains each combination once for each pair of factors on k and μ. If a file has a
-    /// [`Band`] but no combinations, the list contains one model under all loads for each pair of factors.
+    /// With a [`Band`], each combination occurs once per pair of factors on k and μ. In a file without combinations,
+    /// all loads together count as one combination.
     ///
     /// ```
     /// let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n
@@ -209,8 +209,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Returns an error if no combination has this name. Byte positions count from the start of `name`, so pass
-    /// `name` as the text to [`Diagnostics::render`].
+    /// Returns an error if no combination has this name. Its byte positions refer to `name`.
     pub fn combination(&self, name: &str) -> Result<Combination, Diagnostics> {
         let wanted = name.trim();
         let mut all = self.combinations();
@@ -238,8 +237,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Returns an error if the file does not use this set. Byte positions count from the start of `name`, so pass
-    /// `name` as the text to [`Diagnostics::render`].
+    /// Returns an error if the file does not use this set. Its byte positions refer to `name`.
     pub fn combinations_of_set(&self, name: &str) -> Result<Vec<Combination>, Diagnostics> {
         let wanted = name.trim();
         let asked = sets::find(wanted).map(|(_, set)| &*set.name);

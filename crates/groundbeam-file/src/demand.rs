@@ -104,8 +104,8 @@ settlement = \"20 mm\"
     fn recorded_signs_agree_with_the_reader() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
-        // For each key that allows the value 0, at least one model file must be accepted with this value. Some files
-        // are rejected with μ = 0 (no shear layer), because the shear layer would then end under the beam.
+        // A key that allows 0 must be accepted with 0 in at least one model file. Some files need a shear layer and
+        // refuse μ = 0.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {
             let Ok(document) = crate::parse_beside(&text, &folder) else { continue };

@@ -118,9 +118,8 @@ impl Document {
         self.places.parts.get(&part).cloned()
     }
 
-    /// Returns the location of a value of the model, such as the length of the beam. `field` is a name as in
-    /// [`Problem::field`]. If the file omits the value or computes it from several keys, returns the location of the
-    /// heading of the table.
+    /// Returns the location of a value of the model, named as in [`Problem::field`]. If no single key gives the value,
+    /// returns the heading of its table.
     pub fn field_span(&self, part: Part, field: &str) -> Option<Range<usize>> {
         let known = self.places.fields.get(&part)?.iter().find(|(name, _)| *name == field);
         known.and_then(|(_, place)| place.clone()).or_else(|| self.part_span(part))
@@ -128,8 +127,7 @@ impl Document {
 
     /// Converts a problem of the model to a diagnostic at its location in the file.
     ///
-    /// [`parse`](crate::parse) reports the problems of a file. This function is for models that were changed after
-    /// reading, and for problems that a solve finds.
+    /// This function is for models that were changed after reading, and for problems that a solve finds.
     pub fn diagnostic_for(&self, problem: &Problem) -> Diagnostic {
         let span = self.field_span(problem.part, problem.field);
         let span = span.or_else(|| self.part_span(problem.part)).unwrap_or(0..0);

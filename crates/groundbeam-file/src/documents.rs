@@ -1,7 +1,6 @@
 //! Tests that the tables of keys in `docs/file-format.md` and `docs/studies.md` agree with the code.
 //!
-//! Each table lies between `<!-- keys of NAME -->` and `<!-- end -->`. With `UPDATE_EXPECTED=1`, the test rewrites
-//! the tables.
+//! With `UPDATE_EXPECTED=1`, the test rewrites the tables.
 
 use crate::keys::{Key, Table, Value};
 use crate::section::MODEL;

@@ -7,11 +7,11 @@ use std::path::Path;
 /// Maximum size of a file \[bytes\]. This size allows about a million loads, or three million rows of a survey.
 const MOST: u64 = 64_000_000;
 
-/// Opens a regular file for reading. Folders, pipes, devices and links to them are refused.
+/// Opens a regular file for reading.
 ///
 /// # Errors
 ///
-/// Returns the errors of [`File::open`], and an error if the path does not lead to a regular file.
+/// Returns the errors of [`File::open`], and an error for folders, pipes, devices and links to them.
 pub fn open_file(path: &Path) -> Result<File> {
     // Opening a pipe without a writer would block, so the path is checked before the file is opened.
     regular(&metadata(path)?)?;

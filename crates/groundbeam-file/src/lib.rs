@@ -24,13 +24,10 @@
 //! # Ok::<(), groundbeam_file::Diagnostics>(())
 //! ```
 //!
-//! All faults of a file are reported together, each with its location and a remedy. [`Diagnostics::render`] formats
-//! the faults as text; programs read the fields of [`Diagnostic`].
+//! All faults of a file are reported together, each with its location and a remedy ([`Diagnostics`]).
 //!
-//! In a file, either all quantities have a unit or no quantity has one. Numbers with units are converted to SI with
-//! one rounding: `"9.3 MPa"` is exactly 9.3e6. Numbers without units form one consistent system.
-//!
-//! The crate [`groundbeam`] is independent of the file format.
+//! In a file, either all quantities have a unit or none has. Numbers with units are converted to SI with one rounding.
+//! Numbers without units form one consistent system.
 
 mod band;
 mod beside;
@@ -109,12 +106,12 @@ use source::Source;
 use table::Section;
 use toml::de::DeTable;
 
-/// Reads a model file.
+/// Reads a model file that names no other files.
 ///
 /// # Errors
 ///
 /// Returns all faults of the file, including [`Model::problems`](groundbeam::Model::problems). If the file is invalid
-/// TOML, returns only the syntax faults. The text must not name other files.
+/// TOML, returns only the syntax faults.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     read(text, None, false)
 }
@@ -131,8 +128,7 @@ pub fn parse_beside<'a>(
     read(text, Some(beside.into()), false)
 }
 
-/// Reads a model that a program wrote, and the files that the model names. Numbers without a unit are in SI units.
-/// The model may also contain numbers with a unit.
+/// Reads a model that a program wrote, and the files that it names. Numbers without a unit are in SI units.
 ///
 /// ```
 /// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
@@ -222,8 +218,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
 ///
 /// # Errors
 ///
-/// Returns one diagnostic at the first byte that is not UTF-8. To render the diagnostic, pass
-/// `String::from_utf8_lossy` of the bytes as the text to [`Diagnostics::render`].
+/// Returns one diagnostic at the first byte that is not UTF-8. Its text for rendering is
+/// `String::from_utf8_lossy(bytes)`.
 pub fn text_of(bytes: &[u8]) -> Result<&str, Diagnostics> {
     std::str::from_utf8(bytes).map_err(|error| {
         let source = Source::new(&String::from_utf8_lossy(bytes));

@@ -1,7 +1,6 @@
 //! Places the unbounded uniform loads of a moving train. Codes of practice apply such loads only where they are unfavourable.
 //!
-//! With lift-off, influence lines do not exist. The program therefore solves a list of placements, and the most
-//! unfavourable result governs.
+//! With lift-off, influence lines do not exist. The most unfavourable of several solved placements governs.
 
 use groundbeam::Load;
 use groundbeam::model::{Train, UniformPart};
@@ -72,9 +71,8 @@ impl MovingTrain {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }
 
-    /// Returns the train once for each placement of its loads of infinite length, with the loads that do not move with
-    /// the train. Only a lane load (a uniform load without front end and rear end) that covers one half of the beam does
-    /// not move with the train.
+    /// Returns the train and its fixed loads for each placement of its endless loads. Only a lane load (without ends)
+    /// on one half of the beam is fixed.
     pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
         let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
         let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));

@@ -12,9 +12,9 @@ pub(crate) struct Decimal {
 }
 
 impl Decimal {
-    /// Reads a number from the start of `text`. Returns the number, and the number of bytes read.
+    /// Reads a number from the start of `text`. Returns the number and its length in bytes.
     ///
-    /// Accepts the true minus sign U+2212 and `_` between digits, which copied text may contain.
+    /// Also accepts U+2212 as minus sign, and `_` between digits.
     pub fn read(text: &str) -> Option<(Decimal, usize)> {
         let mut rest = text;
         let negative = ['-', '\u{2212}'].iter().any(|&minus| take(&mut rest, minus));
@@ -58,11 +58,9 @@ impl Decimal {
         self.nearest(&self.digits, self.exponent)
     }
 
-    /// Returns the 64-bit number nearest to the product of this number and `scale`.
+    /// Returns the product of this number and `scale`, rounded once: "9.3 MPa" is exactly 9.3e6.
     ///
-    /// A factor that is a power of ten only moves the decimal point, so "9.3 MPa" is exactly 9.3e6. Other factors are
-    /// fractions of integers (1 in = 254/10⁴ m). Integer multiplication and division give 45 digits before the single
-    /// rounding.
+    /// Only a product with integers of more than 128 bits is rounded several times.
     pub fn times(&self, scale: &Scale) -> f64 {
         let Some((numerator, denominator)) = scale.fraction() else {
             return self.to_f64() * scale.to_f64();
@@ -88,9 +86,8 @@ impl Decimal {
     }
 }
 
-/// Returns the decimal digits and the exponent of the quotient `whole / denominator` = digits × 10^exponent.
-/// A quotient with more than 45 digits is cut off, and a digit 1 is appended in place of the remainder. With
-/// this digit, later rounding to a 64-bit number is correct.
+/// Returns the digits and the decimal exponent of the quotient. After 45 digits, a digit 1 replaces the remainder, so
+/// that later rounding is correct.
 fn divide(whole: u128, denominator: u128) -> (String, i32) {
     let mut digits = (whole / denominator).to_string();
     let mut remainder = whole % denominator;

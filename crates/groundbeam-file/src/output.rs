@@ -1,8 +1,7 @@
 //! Output files that are written completely or not at all.
 //!
-//! An [`Output`] writes to a second file in the same folder, syncs it to disk and renames it.
-//! Symbolic links are followed, and their target is replaced or created. A device, a pipe or a standard stream
-//! is written directly.
+//! An [`Output`] writes to a temporary file beside its target, and renames this file. Symbolic links are followed.
+//! Devices, pipes and standard streams are written directly.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -62,13 +61,11 @@ impl Output {
         Ok(Output { sink })
     }
 
-    /// Completes the output. A temporary file is synced to disk and renamed to the target, and its folder
-    /// is synced. An output that is written directly is flushed.
+    /// Completes the output: syncs the temporary file and renames it to the target, or flushes a direct output.
     ///
     /// # Errors
     ///
-    /// Returns an error of the file system. If the temporary file cannot be synced or renamed, an existing
-    /// target remains unchanged.
+    /// Returns an error of the file system. If syncing or renaming fails, an existing target remains unchanged.
     pub fn finish(self) -> io::Result<()> {
         match self.sink {
             Sink::Direct(mut sink) => sink.flush(),
@@ -268,13 +265,11 @@ enum Key {
 }
 
 impl Identity {
-    /// Returns the identity of a file that exists or that an output would create; `None` for a device or a
-    /// pipe.
+    /// Returns the identity of an existing or future output file; `None` for a device or a pipe.
     ///
     /// # Errors
     ///
-    /// Returns the errors of [`Target::of`], or an error if the path of the file or its folder cannot be
-    /// resolved.
+    /// Returns the errors of [`Target::of`], or an error if the path cannot be resolved.
     pub fn of(path: &Path) -> io::Result<Option<Self>> {
         match fs::metadata(path) {
             Ok(found) if found.is_file() => {

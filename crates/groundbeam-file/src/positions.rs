@@ -8,8 +8,8 @@ use crate::list;
 use crate::quantity::POSITION;
 use crate::units::UnitSystem;
 
-/// Parses comma-separated positions along the beam. With [`UnitSystem::Si`], every position except 0 needs
-/// a unit, and the results are in metres. With [`UnitSystem::Plain`], no position may have a unit.
+/// Parses comma-separated positions along the beam. With [`UnitSystem::Si`], every position except 0 needs a unit, and
+/// results are in metres. With [`UnitSystem::Plain`], no position may have a unit.
 ///
 /// ```
 /// use groundbeam_file::{UnitSystem, parse_positions};
@@ -20,9 +20,7 @@ use crate::units::UnitSystem;
 ///
 /// # Errors
 ///
-/// Returns one diagnostic for each entry that is not a position. The byte positions in a diagnostic count
-/// from the start of `list`, so that [`Diagnostics::render`] can show the diagnostic with `list` as its
-/// text.
+/// Returns one diagnostic for each entry that is not a position. Its byte positions refer to `list`.
 pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagnostics> {
     list::read(list, |entry| position(entry, units))
 }
@@ -31,7 +29,7 @@ pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagno
 ///
 /// # Errors
 ///
-/// Returns the diagnostics of [`parse_positions`], and one diagnostic for each position outside the beam.
+/// Returns the diagnostics of [`parse_positions`], and one for each position outside the beam.
 pub fn parse_positions_on_beam(list: &str, document: &Document) -> Result<Vec<f64>, Diagnostics> {
     let (length, units) = (document.model.beam.length, document.printed.of_input());
     list::read(list, |entry| {

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-/// Replaces all control characters, marks of text direction, line separators, U+FFFE and U+FFFF by escapes
-/// such as `\n` or `\u{1b}`.
+/// Replaces control characters, marks of text direction, line separators, U+FFFE and U+FFFF by escapes such as `\n`.
 ///
 /// ```
 /// assert_eq!(groundbeam_file::printable("a\u{1b}[31mb"), r"a\u{1b}[31mb");

@@ -1,7 +1,6 @@
 //! Reads a quantity that may vary along the beam: one value, or a list of values from left to right.
 //!
-//! Two values define a linear variation. Three or more values are the Bernstein coefficients of a
-//! polynomial, which are the control values of a Bézier curve ([`Profile`]).
+//! Two values define a linear variation. More values are the Bernstein coefficients of a polynomial ([`Profile`]).
 
 use crate::code;
 use crate::fault::Fault;

@@ -63,8 +63,7 @@ pub fn rail_sections() -> &'static [RolledSection] {
     &RAIL_SECTIONS
 }
 
-/// Finds the section with this name. If a rail has this name, returns a hint that shows how to select the rail. If
-/// nothing has this name, returns a hint with the three most similar names.
+/// Finds the section with this name. The error is a hint: the rail with this name, or the three most similar names.
 pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
     named(&SECTIONS, name).ok_or_else(|| {
         if let Some(rail) = named(&RAIL_SECTIONS, name) {
@@ -117,9 +116,8 @@ const FIRST: f64 = 5.0 / 6.0 - 0.25 * PI;
 /// Second moment of area of a fillet of radius r about its own centroid, divided by r⁴.
 const OWN: f64 = 1.0 - 0.3125 * PI - FIRST * FIRST / AREA;
 
-/// Computes the area and the second moment of area of four fillets of radius `r`. The corners of the
-/// fillets lie at the height `corner` above and below the middle of the section. `towards` is −1 if the
-/// fillets lie between their corners and the middle, and 1 if they lie on the other side of their corners.
+/// Returns the area and the second moment of area of four fillets of radius `r`, with their corners at the heights
+/// ±`corner`. `towards` is −1 if the fillets lie on the inner side of their corners, and 1 on the outer side.
 pub(crate) fn fillets(r: f64, corner: f64, towards: f64) -> [f64; 2] {
     let area = AREA * r * r;
     let lever = corner + towards * FIRST / AREA * r;
@@ -165,9 +163,8 @@ fn american(cells: Vec<&'static str>) -> Option<RolledSection> {
     })
 }
 
-/// Computes a hollow section from the dimensions in a line of the data file. The outer corners of a
-/// rectangular section have the radius 1.5 t, the inner corners the radius t, where t is the wall thickness
-/// (EN 10210-2, annex B).
+/// Computes a hollow section from a line of the data file. For the wall thickness t, rectangular sections have the
+/// outer corner radius 1.5 t and the inner radius t (EN 10210-2, annex B).
 fn hollow(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [name, h, b, t, a, i] = cells[..] else { return None };
     let [h, b, t] = numbers(&[h, b, t], MM)[..] else { return None };

@@ -1,7 +1,7 @@
 //! Reads tables and values of a TOML document and records their locations.
 //!
-//! Reading continues after a fault. A value that cannot be read becomes NaN, which no file can contain.
-//! Values that depend on it are also NaN and are not reported again.
+//! Reading continues after a fault. An unreadable value becomes NaN, and values that depend on it are not reported
+//! again.
 
 use crate::beside::{Beside, OtherFile};
 use crate::code;
@@ -103,8 +103,8 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
-    /// Reports an unknown word. In `message`, `{}` stands for this word. The hint names a similar known word. If no
-    /// known word is similar, the hint is `otherwise`, in which `{}` stands for the list of all known words.
+    /// Reports an unknown word, which replaces `{}` in `message`. `known` and `otherwise` give the hint
+    /// (`suggest::advice`).
     pub fn unknown_word(
         &mut self,
         (written, span): (&str, Range<usize>),

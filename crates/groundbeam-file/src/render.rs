@@ -10,11 +10,9 @@ use std::ops::Range;
 const MOST_SHOWN: usize = 100;
 
 impl Diagnostics {
-    /// Formats the diagnostics, each with the lines of `text` to which it refers. The result ends with a
-    /// newline. After the first hundred diagnostics, only the number of the remaining diagnostics is
-    /// printed.
+    /// Formats the first hundred diagnostics, each with its lines of `text`, and the number of the others.
     ///
-    /// `text` is the parsed text. `colour` adds escape codes for a terminal.
+    /// `text` is the parsed text. `colour` adds escape codes for a terminal. The result ends with a newline.
     ///
     /// # Example
     ///

@@ -1,6 +1,6 @@
 //! Reads a stiffness from one number, such as EI, or as the product of two factors, such as E and I.
 //!
-//! A segment inherits missing factors from the table of the whole beam or of the whole ground.
+//! A segment inherits missing factors from the whole beam or ground.
 
 use crate::code;
 use crate::fault::Fault;
@@ -12,8 +12,7 @@ use crate::table::Section;
 pub(crate) struct Keys {
     pub product: &'static str,
     pub factors: [&'static str; 2],
-    /// Last words of an error message, such as " or a `section`". They name what a file may give in place of the
-    /// second factor, such as I in EI = E·I. The text is empty if nothing can replace the second factor.
+    /// End of an error message that names a replacement of the second factor, such as " or a `section`"; may be empty.
     pub instead: &'static str,
 }
 
@@ -104,8 +103,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether the stretches cover the interval from 0 to `length`. The result is also true if the ends of a
-/// stretch could not be read. This fault has already been reported, and a second message would not help.
+/// Whether the stretches cover the interval from 0 to `length`. Also true if an end is unreadable (reported before).
 pub(crate) fn cover(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> bool {
     let mut stretches: Vec<(f64, f64)> = stretches.collect();
     let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();

@@ -2,10 +2,7 @@
 
 use strsim::osa_distance;
 
-/// Returns the candidate most similar to the word `written`, if this candidate is similar enough.
-///
-/// Words that differ only in case are always similar. Otherwise one edit per three letters is allowed, but at
-/// least one edit.
+/// Returns the most similar candidate within one edit per three letters (at least one edit). Case is ignored.
 pub(crate) fn nearest<'c>(
     written: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -43,9 +40,8 @@ pub(crate) fn nearest_three<'c>(written: &str, candidates: &[&'c str]) -> Vec<&'
     ranked.into_iter().take(3).map(|(_, candidate)| candidate).collect()
 }
 
-/// Returns a hint about the unknown word `written`. The hint suggests the most similar known word, followed by
-/// the text `otherwise` unless this text contains `{}`. Without a similar word, the hint is the text
-/// `otherwise`, in which the list of all known words replaces `{}`.
+/// Returns a hint with the most similar known word, followed by `otherwise` unless it contains `{}`. Without a similar
+/// word, returns `otherwise` with all known words in place of `{}`.
 pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
     let explains = !otherwise.is_empty() && !otherwise.contains("{}");
     match nearest(written, known.iter().copied()) {

@@ -44,8 +44,8 @@ pub(crate) fn printed(system: UnitSystem, quantities: &[Seen]) -> Units {
     }
 }
 
-/// Chooses among US units for printed results. Each kind of quantity uses the unit of length that is most
-/// frequent in quantities of this kind. A file without feet has results in inches.
+/// Chooses the US units of results. Each kind of quantity has its most frequent unit of length. A file without feet has
+/// results in inches.
 fn us_units(quantities: &[Seen]) -> UsUnits {
     let count = |kind: Option<print::Kind>, marks: Marks| {
         let of_kind = |seen: &&Seen| kind.is_none() || seen.kind.printed == kind;
@@ -80,9 +80,8 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    /// Returns an entry for the name of a built-in train, material or section. Built-in data have units.
-    /// Therefore, the entry counts as a quantity with a unit, and the other quantities of the file must
-    /// also have units.
+    /// Returns the entry of a built-in train, material or section. It counts as a quantity with a unit, so all others
+    /// need units.
     pub fn of_built_in(key: &str, kind: &'static Kind, span: Range<usize>) -> Self {
         let (key, marks) = (key.to_owned(), Marks::NONE);
         Seen { key, kind, has_unit: true, is_bare_zero: false, value: 0.0, marks, span }

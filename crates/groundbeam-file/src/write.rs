@@ -10,12 +10,10 @@ use groundbeam::{
 };
 use std::fmt::Write;
 
-/// Returns the model as a model file. Reading the file gives the same numbers bit for bit.
+/// Returns the model as a model file, in SI units or without units. Reading it gives the same numbers bit for bit.
 ///
-/// Ground defined by soil data is written as soil data, with one exception. A model file may give a range of factors
-/// on the ground stiffness, and then describes several models. For a model in which such a factor multiplies the
-/// ground, the multiplied constants k and μ are written. The numbers have SI units or no units. Non-finite numbers
-/// cannot be read again; [`Model::problems`] reports them.
+/// Ground from soil data is written as soil data, or as k and μ if a [`Band`](crate::Band) factor multiplies it.
+/// Non-finite numbers cannot be read again.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};

@@ -81,7 +81,7 @@ impl Asked {
     ///
     /// # Errors
     ///
-    /// Returns an error if a key is unknown or repeated, or if a value is invalid whatever the model file contains.
+    /// Returns an error if a key is unknown or repeated, or if a value is invalid for every model file.
     pub fn read(pairs: &[(String, String)], keys: &[&str]) -> Result<Asked, WrongQuery> {
         let mut asked = Asked::default();
         for (i, (key, value)) in pairs.iter().enumerate() {

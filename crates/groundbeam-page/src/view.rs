@@ -186,8 +186,7 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// Returns the handle with the indices of the numbers that it changes. Returns `None` if no number of the model
-/// file gives the position of the handle, as for an axle or the self-weight of the beam.
+/// Returns the handle with the numbers that it changes; `None` if no number gives its position, as for the self-weight.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {

@@ -194,8 +194,8 @@ mod tests {
         started.elapsed().as_secs_f64()
     }
 
-    /// With 16 times as many loads, finding the numbers takes about 16 times as long; with quadratic growth, it would
-    /// take 256 times as long. The shortest of several runs is used, because other programs may interrupt a run.
+    /// Linear growth multiplies the time by 16, quadratic growth by 256. The shortest of several runs excludes
+    /// interruptions.
     #[test]
     fn the_time_is_proportional_to_the_number_of_loads() {
         let mut least = [f64::INFINITY; 2];

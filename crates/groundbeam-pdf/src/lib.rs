@@ -1,10 +1,7 @@
 //! Writes calculation reports of [`groundbeam_report`] as PDF.
 //!
-//! [typst](https://typst.app) sets the pages from `templates/report.typ`. The build of typst takes minutes, so
-//! typst is only included with the feature `typst` of this crate, or with the feature `pdf` of the program.
-//! Without this feature, [`report`] returns an error.
-//!
-//! Equal reports give equal bytes, because a report has no date.
+//! [typst](https://typst.app) sets the pages from `templates/report.typ`. It takes minutes to build, so it is optional:
+//! feature `typst` of this crate, `pdf` of the program. Without typst, [`report`] returns an error.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -12,8 +12,8 @@ use std::ops::Range;
 /// the middle of the piece.
 const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
 
-/// Returns the fractions f of `PARTS` for which the middle part |t| ≤ f lies within the piece. The local coordinate t
-/// is scaled by the stored half length, and the piece may be shorter than twice this half length.
+/// Returns the fractions in `PARTS` whose middle part lies within the piece, which may be shorter than its stored
+/// length.
 pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     let [left, right] = [-span.t[0].high(), span.t[1].low()];
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
@@ -73,10 +73,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts
     }
 
-    /// Returns upper bounds of two L² norms over a part of the beam: that of the derivative of the rotation error, and
-    /// that of the shear strain error. The bounds follow from the bound of the error energy, the smallest bending
-    /// stiffness and the smallest shear stiffness of the part. The second bound is zero if the part has no shear
-    /// deformation.
+    /// Returns bounds of the L² norms of two errors on a part: derivative of the rotation, and shear strain.
     pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
         let most = |of: &dyn Fn(&Span<S>) -> Option<&Coefficient<S>>| {
@@ -87,13 +84,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         [most(&|span| Some(&span.bending)), most(&|span| span.stiffness.as_ref())]
     }
 
-    /// Returns a bound of the error of the deflection on each part between hinges. An anchor is a position at which
-    /// this error has a known bound.
-    ///
-    /// A part needs two anchors, or one anchor and a bound of the rotation error. The bound of a part provides an
-    /// anchor for each neighbouring part at the common hinge. Parts joined by elastic hinges also have a common bound,
-    /// which contains the jumps of the rotation error at these hinges. Under axial tension, one anchor is sufficient,
-    /// because the error energy of the tension bounds the slope of the error.
+    /// Returns a bound of the deflection error on each part between hinges (section 4 of docs/proof.md). A part needs
+    /// two positions with a known bound (anchors), or one anchor and a bound of the rotation error.
     pub(crate) fn deflections(&self, parts: &[Range<usize>]) -> Vec<Size> {
         let frame = self.fields.frame;
         let mut anchors: Vec<Anchors> = parts.iter().map(|part| self.anchors(part)).collect();
@@ -111,6 +103,7 @@ impl<S: Scalar> Pointwise<'_, S> {
                 used[j] = anchors[j].count();
                 self.hand_on(j, parts, &found, &mut anchors);
             }
+            // Parts joined by elastic hinges also have a common bound.
             for joined in self.joined_parts() {
                 let inside =
                     |part: &Range<usize>| joined.start <= part.start && part.end <= joined.end;
@@ -131,6 +124,7 @@ impl<S: Scalar> Pointwise<'_, S> {
                 }
             }
         }
+        // Under axial tension, one anchor is sufficient for the whole beam.
         if let Some(tension) = frame.tension {
             let all = anchors.iter().flat_map(|part| &part.places).map(|anchor| anchor.bound);
             let least = all.fold(Size::INFINITE, Size::least);
@@ -159,8 +153,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Returns a bound of the jump of the rotation error at a node; zero if the node has no elastic hinge. The bound
-    /// follows from the energy of the jump in the hinge spring, which is at most the bound of the error energy.
+    /// Returns a bound of the jump of the rotation error at a node, from the energy of its elastic hinge; zero without
+    /// one.
     fn kink(&self, node: usize) -> Size {
         match self.fields.frame.nodes[node].hinge {
             None => Size::ZERO,
@@ -200,10 +194,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         anchors
     }
 
-    /// Returns a bound of the error of the deflection at a contact node. The concentrated contact force at the node
-    /// must remain positive after its correction for exact equilibrium. The error is the sum of the error of the ground
-    /// displacement and the clearance of the exact solution. This clearance is at most the bound of the error energy
-    /// divided by the corrected contact force.
+    /// Returns a bound of the deflection error at a contact node with a positive corrected force: the bound of the
+    /// ground displacement error, plus the error energy divided by the force.
     fn pressed(&self, node: usize) -> Option<Size> {
         let surface = &self.fields.surface;
         let force = self.kept(self.balanced.factors[node].size()) * surface.nodes[node].force.low();
@@ -211,13 +203,12 @@ impl<S: Scalar> Pointwise<'_, S> {
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
-    /// Returns a bound of the absolute deflection error |e| at a one-way support that exerts a force on the beam. E is
-    /// the bound of the error energy. At a rigid support, R|e| ≤ E, where R is the reaction after its correction for
-    /// exact equilibrium. At a spring of stiffness κ, κe²/2 ≤ E. This requires a claimed spring force so large that the
-    /// spring also acts in the exact solution.
+    /// Returns a bound of the deflection error at an active one-way support, from the bound E of the error energy: E/R
+    /// with the corrected reaction R of a rigid support, √(2E/κ) at a spring of stiffness κ.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {
+            // With a larger claimed force, the spring also acts in the exact solution.
             let least = (2.0 * Size::of(spring.high()) * self.energy).root();
             let bound = (2.0 * self.energy).over(spring.low()).root();
             return (pushing > least.value()).then_some(bound);
@@ -231,19 +222,16 @@ impl<S: Scalar> Pointwise<'_, S> {
         (1.0 - factor).next_down()
     }
 
-    /// Returns a lower bound of the contact pressure on the middle part of a touching piece, after the correction of
-    /// the pressure for exact equilibrium. `part` is the length of the middle part divided by the length of the piece.
+    /// Returns a lower bound of the corrected contact pressure on the middle part of a touching piece. `part` is the
+    /// relative length of this middle part.
     pub(crate) fn least_pressure(&self, i: usize, part: f64) -> f64 {
         let pressure = &self.fields.pressures[i].field;
         let least = pressure.coefficient(0).low() - pressure.tail(part).value();
         (least.next_down() * self.kept(self.balanced.factor(i).value())).next_down()
     }
 
-    /// Returns anchors at both ends of a middle part of a touching piece, with the bound (12) of docs/proof.md and its
-    /// terms for shear deformation.
-    ///
-    /// The redistributed pressure must have a positive lower bound on the middle part. From the possible middle parts,
-    /// the function chooses the part with the smallest error bound.
+    /// Returns anchors at both ends of a middle part of a touching piece, by (12) of docs/proof.md. Chooses the part
+    /// with the smallest bound among those with positive pressure.
     fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
         let mut best: Option<[Anchor; 2]> = None;
@@ -274,9 +262,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         best
     }
 
-    /// Returns the smallest of several bounds of the deflection error on a part. These bounds follow from error bounds
-    /// at single positions, the anchors. The first bound uses all anchors. Each further bound uses only anchors with
-    /// small error bounds.
+    /// Returns the smallest of several bounds of the deflection error: from all anchors, and from only those with small
+    /// bounds.
     fn best_along(&self, part: &Part, anchors: &Anchors) -> Size {
         let mut sorted = anchors.places.clone();
         sorted.sort_by(|a, b| a.bound.value().total_cmp(&b.bound.value()));
@@ -293,13 +280,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
-    /// Returns a bound of the deflection error on a part of the beam. It follows from anchors, which are positions with
-    /// a known error bound. The result is the largest of the bounds between neighbouring anchors ([`between`]) and on
-    /// the overhangs beyond the outermost anchors.
-    ///
-    /// The bound on an overhang follows from two anchors ([`beyond`]), or from one anchor and a bound of the rotation
-    /// error ([`along_slope`]). Jumps of the rotation error at elastic hinges increase the bounds. The increase is the
-    /// sum of the jumps times a length: a quarter of the distance of two anchors, or the length of the overhang.
+    /// Returns a bound of the deflection error on a part: the largest of the bounds between anchors ([`between`]) and
+    /// on overhangs ([`beyond`], [`along_slope`]), increased by the jumps at elastic hinges.
     fn along(&self, part: &Part, anchors: &[Anchor], slopes: &[Anchor]) -> Size {
         let frame = self.fields.frame;
         let [s, sheared] = self.flexure(&part.pieces);
@@ -345,28 +327,23 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Returns a bound of the deflection error on an interval. `mean` is a bound of the mean absolute error on this
-/// interval.
+/// Returns a bound of the deflection error on an interval from a bound of its mean, by (12) of docs/proof.md.
 ///
-/// The deflection error differs from its tangent at the midpoint of the interval by at most `curved`/√3 + `slid`. Here
-/// `curved` = s a^(3/2) and `slid` = s_γ √a, where a is half the length of the interval. The numbers s and s_γ bound
-/// the L² norms of the errors of curvature and shear strain. The factor 1/√3 comes from Cauchy's inequality. The
-/// absolute value of a linear function is at most 1 + √2 times its mean absolute value.
+/// With half the length a, `curved` is s a^(3/2) and `slid` is s_γ √a; s and s_γ are the bounds of
+/// [`Pointwise::flexure`].
 pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
     let mean = mean + 0.2310 * curved + 0.6667 * slid;
     2.4143 * mean + 0.5774 * curved + slid
 }
 
-/// Between two anchors (positions with known error bounds), the absolute error of the deflection is at most the larger
-/// of the two bounds plus an increment. Returns a bound of this increment. `h` is the distance between the anchors. `s`
-/// and `sheared` bound the norms of the errors of curvature and shear strain ([`Pointwise::flexure`]).
+/// Returns a bound of the excess of the deflection error between two anchors at the distance `h` over the larger of
+/// their bounds. `s` and `sheared` are the bounds of [`Pointwise::flexure`].
 pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
 
-/// Returns a bound of the error of the deflection on an overhang of length `over`. `near` and `far` are error bounds at
-/// two positions beside the overhang, the nearer position first. `distance` contains a lower and an upper bound of the
-/// distance between the two positions.
+/// Returns a bound of the deflection error on an overhang of length `over`, from the bounds at a near and a far
+/// position. `distance` encloses the distance between these positions.
 pub(crate) fn beyond(
     [near, far]: [Size; 2],
     over: Size,
@@ -380,9 +357,8 @@ pub(crate) fn beyond(
     near + turn + bent + slid
 }
 
-/// Returns a bound of the change of the deflection error along an interval of length `over`. `slope` bounds the
-/// rotation error at a position whose distance from the start of the interval is at most `distance`. `s` bounds the
-/// norm of the curvature error, and `sheared` bounds the norm of the shear strain error ([`Pointwise::flexure`]).
+/// Returns a bound of the change of the deflection error over the length `over`, from a bound `slope` of the rotation
+/// error at most `distance` away. `s` and `sheared` are the bounds of [`Pointwise::flexure`].
 pub(crate) fn along_slope(
     [slope, distance]: [Size; 2],
     over: Size,

@@ -12,8 +12,7 @@ pub struct Answer {
     pub reactions: Vec<Reaction>,
 }
 
-/// A part of the beam from x₀ to x₁, on which the deflection is a polynomial in t = (x − (x₀ + x₁)/2)/`half`. Here x is
-/// the position along the beam, and `half` is half the length of the part.
+/// A part of the beam from x₀ to x₁. Its deflection is a polynomial in t = (x − (x₀ + x₁)/2)/`half` at the position x.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Piece {
     /// Positions x₀ and x₁ of the left and the right end of the piece \[m\].
@@ -26,18 +25,16 @@ pub struct Piece {
     /// Coefficients of the deflection w \[m\] as a polynomial in the local coordinate t, the constant coefficient
     /// first.
     pub deflection: Vec<f64>,
-    /// Coefficients of the rotation φ of the cross-sections \[rad\] as a polynomial in the local coordinate t, the
-    /// constant coefficient first. The list is empty on a piece without shear deformation, where φ is the slope of the
-    /// deflection.
+    /// Coefficients of the rotation φ \[rad\] of the cross-sections in the local coordinate t, the constant first.
+    /// Without shear deformation, the list is empty, and φ is the slope of the deflection.
     pub rotation: Vec<f64>,
     /// Coefficients of the contact pressure \[N/m\] as a polynomial in the local coordinate t, the constant coefficient
     /// first; empty if the pressure is not stored.
     pub pressure: Vec<f64>,
     /// Displacement u of the ground at both ends of a piece without contact \[m\]; `None` if it is not stored.
     pub open: Option<[f64; 2]>,
-    /// Coefficients of the ground displacement u \[m\] as a polynomial in the local coordinate t, the constant
-    /// coefficient first. Only a piece without contact on which k or μ varies can have these coefficients. On other
-    /// pieces, the list is empty.
+    /// Coefficients of the ground displacement u \[m\] in the local coordinate t, the constant first. The list is empty
+    /// unless k or μ varies on a piece without contact.
     pub settlement: Vec<f64>,
 }
 

@@ -17,33 +17,27 @@ pub(crate) struct Approach {
     /// Beam and ground touch at one end of the piece in the claimed solution. In the exact solution, the piece has no
     /// contact at distances greater than θ from this end.
     pub theta: Size,
-    /// Error bound of the force μu′ in the shear layer at that end of the piece at which beam and ground touch; u is
-    /// the ground displacement. The bound is valid if the exact solution has no contact on the piece.
+    /// Error bound of the force in the shear layer at the touching end, if the exact solution has no contact on the
+    /// piece.
     pub flux: Size,
     /// μ|C′| at that end of the piece at which beam and ground touch, where C is the clearance.
     pub steep: Size,
-    /// Coordinate on the piece, from −1 to 1, at which the proof changes its method. Between this coordinate and the
-    /// end at which beam and ground touch, the proof bounds the slope of the clearance. On the rest of the piece, it
-    /// bounds the clearance itself.
+    /// Local coordinate from −1 to 1. From the touching end to this coordinate, the proof bounds the slope of the
+    /// clearance; beyond it, the clearance.
     pub reach: f64,
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves that a piece without contact in the claimed solution has no contact in the exact solution. Returns an
-    /// [`Approach`] for each touching end of the piece. A touching end is an end at which beam and ground touch in the
-    /// claimed solution.
+    /// Proves that a piece without claimed contact has no contact in the exact solution (section 5 of docs/proof.md).
     ///
-    /// In the middle of the piece, the clearance must exceed the sum of the error bounds of deflection and ground
-    /// displacement. Near a touching end, the clearance must decrease towards the end, and the magnitude of its slope
-    /// must exceed the error bound of this slope. At a rigid support on the surface of the ground, the beam rises
-    /// from the ground, and the function adds the zone next to the support to `zones`. A piece that rests on the
-    /// ground without load has no pressure and needs no proof.
+    /// Returns an [`Approach`] for each end with claimed contact. Adds zones beside rigid supports to `zones`.
     pub(crate) fn shown_open(
         &self,
         i: usize,
         zones: &mut Vec<Zone>,
     ) -> Option<[Option<Approach>; 2]> {
         let mut found = [None; 2];
+        // A piece that rests on the ground without load has no pressure and needs no proof.
         if self.rests(i) {
             return Some(found);
         }
@@ -84,8 +78,8 @@ impl<S: Scalar> Contact<'_, S> {
         let [from, to] = piece.interval;
         let (end, wide) = (piece.interval[side], to - from);
         let inward = if side == 0 { 1.0 } else { -1.0 };
-        // In the exact solution, beam and ground do not touch between the points `far` and `reach`. The error bound
-        // of the force μu′ in the shear layer at `reach` depends on the distance between these points.
+        // The exact solution has no contact from `far` to `reach`. The error bound of the force in the shear layer
+        // depends on their distance.
         let far = end + inward * wide * if both { 0.75 } else { 1.0 - 1e-9 };
         let mut part = if both { 0.25 } else { 0.5 };
         for _ in 0..40 {
@@ -102,9 +96,8 @@ impl<S: Scalar> Contact<'_, S> {
         None
     }
 
-    /// Returns an error bound of the force μu′ in the shear layer at the end of a stretch without contact. The
-    /// stretch has the given `length`. The bound follows from the error bound of the ground displacement u on the
-    /// stretch, by (13) of docs/proof.md for constant k and μ, and by (13a) for varying k or μ.
+    /// Returns an error bound of the force in the shear layer at the end of ground without contact of this `length`:
+    /// (13) of docs/proof.md, or (13a) for varying k or μ.
     fn settlement_flux(&self, i: usize, length: f64) -> Size {
         if !(length > 0.0) {
             return Size::INFINITE;
@@ -122,9 +115,8 @@ impl<S: Scalar> Contact<'_, S> {
         shear * Size::of(factor.high()) * error
     }
 
-    /// Whether (μC′)′ exceeds its error bound on an interval of an open piece, where C is the clearance and ′ the
-    /// derivative with respect to x. `m` is the middle of the interval and `r` its half length, in the local
-    /// coordinate of the piece.
+    /// Whether (μC′)′ exceeds its error bound on an interval of an open piece, with the clearance C. `m` and `r` are
+    /// the middle and the half length of the interval in the local coordinate.
     fn presses(&self, i: usize, piece: &OpenPiece<S::Coarse>, m: f64, r: f64) -> bool {
         let (span, error) = (&self.fields.frame.spans[i], more(self.bounds[i].pressure));
         match &self.fields.surface.pieces[i].along {
@@ -140,12 +132,10 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// Returns a distance θ from the node at the end `side` of the piece. Between `reach` and the distance θ from the
-    /// node, the clearance C decreases towards the node faster than `limit`. Small distances are tried first.
+    /// Returns a distance θ from the node at the end `side`. From `reach` to θ, the clearance C decreases towards the
+    /// node faster than `limit`.
     ///
-    /// A positive θ requires two conditions. The node is smooth, that is, without hinge, corner of the initial gap g₀,
-    /// force on the ground, or jump of the shear layer stiffness μ or of the shear stiffness S of the beam. The term
-    /// (μC′)′ exceeds its error bound at all distances from the node up to θ.
+    /// A positive θ requires a smooth node (`Frame::smooth`), and that (μC′)′ exceeds its error bound up to θ.
     fn theta(
         &self,
         i: usize,
@@ -183,9 +173,8 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Returns the bound (13a) of docs/proof.md for the error of the flux μu′: the minimum of (2·`stiff`)/h + h·`load` over
-/// all h ≤ `length`. `stiff` is μ times the error bound of the ground displacement u, and `load` bounds the derivative
-/// of the flux error.
+/// Returns the bound (13a) of docs/proof.md. `stiff` is μ times the error bound of the ground displacement, and `load`
+/// bounds the derivative of the flux error.
 fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
     let best = (2.0 * stiff.value() / load.value()).sqrt();
     let h = if best < length { best } else { length };

@@ -4,9 +4,8 @@ use crate::frame::Span;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Displacement u of the ground on an open piece, on which the beam does not touch the ground. The piece has the
-/// length h, and u has the values u_L and u_R at its left and right end. The distance x is measured from the left
-/// end. With b = √(k/μ) and z = bh,
+/// Displacement u of open ground of length h with the end values u_L and u_R. With b = √(k/μ), z = bh and the distance
+/// x from the left end,
 ///
 /// ```text
 /// u = (u_R − u_L) sinh(bx)/sinh z + u_L cosh(b(h/2 − x))/cosh(z/2).
@@ -54,13 +53,11 @@ impl<C: Scalar> Arc<C> {
         let two = C::of(2.0);
         let [difference, left] = [self.ends[1] - self.ends[0], self.ends[0]];
         let a = self.decay * x;
-        // The quotients sinh a/sinh z and cosh a/sinh z are computed from exponentials of negative arguments. Here b =
-        // √(k/μ), a = bx and z = bh, with the distance x from the left end and the length h of the piece.
+        // The quotients sinh a/sinh z and cosh a/sinh z are computed from exponentials of negative arguments.
         let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
         let sinh = (fallen * double).div(self.divisors[0]);
         let cosh = -(fallen * (double + two)).div(self.divisors[0]);
-        // The ground displacement is u = (u_R − u_L) sinh(bx)/sinh(z) + u_L cosh(c)/cosh(z/2), with the values u_L
-        // and u_R at the ends of the piece, its length h, b = √(k/μ), z = bh and c = b(h/2 − x).
+        // The second term of u is u_L cosh(c)/cosh(z/2); see [`Arc`].
         let c = self.decay * (self.length.scaled(-1) - x);
         let negative = c.middle() < 0.0;
         let size = if negative { -c } else { c };

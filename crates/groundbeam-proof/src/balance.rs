@@ -1,19 +1,8 @@
 //! Computes a moment in exact equilibrium with the loads, after small relative changes of pressures and reactions.
 //!
-//! The beam is cut at its ends, at free hinges and at chosen nodes. A cell is the part between two neighbouring cuts.
-//! In each cell, a change δ of the claimed moment M balances the residual of equilibrium. δ vanishes at a cut, except
-//! at a free hinge, where M + δ vanishes.
-//!
-//! A residual force then remains at each cut. It is distributed over pressures, concentrated contact forces and
-//! supports. Pressures and contact forces are multiplied by 1 + λ, where λ is the redistribution factor. This factor
-//! is continuous along the beam and linear in each cell. Forces of supports change in proportion to λ, and moments of
-//! supports in proportion to the slope of λ. The values of λ at the cuts follow from the system of equations (6) of
-//! docs/proof.md.
-//!
-//! Tensile pressures are not redistributed. A bound of their resultant widens the intervals of the system.
-//!
-//! If pressures and supports alone cannot balance the loads, the axial tension also carries a transverse force, in
-//! proportion to the slope of λ. This increases the bound of the error energy.
+//! The beam is cut into cells. In each cell, a change of the claimed moment balances the residual of equilibrium. The
+//! forces left at the cuts are distributed over pressures and supports by relative corrections λ, which solve (6) of
+//! docs/proof.md. See *Balance* in its section 3.
 
 use crate::frame::Frame;
 use crate::ground::Surface;
@@ -32,9 +21,8 @@ pub(crate) struct Balance<'a, S> {
     pub residual: &'a Residual<S>,
     /// Indices of the nodes at which the beam is cut, including the first and the last node.
     pub cuts: Vec<usize>,
-    /// Factor B in the equation β = Bλ′. β is the transverse force that the proof adds to the transverse force Pw′ of
-    /// the axial tension P, and λ′ is the slope of the relative correction λ of the contact pressure. If B = 0, no
-    /// force is added.
+    /// Factor B of the additional transverse force Bλ′ of the axial tension, with the relative correction λ of the
+    /// pressure; 0 without this force.
     pub carrier: f64,
 }
 
@@ -44,9 +32,8 @@ pub(crate) struct Balance<'a, S> {
 pub(crate) struct Balanced<S> {
     /// Indices of the nodes at which the beam is cut.
     pub cuts: Vec<usize>,
-    /// Factor B in the equation β = Bλ′. β is the transverse force that the proof adds to the transverse force Pw′ of
-    /// the axial tension P, and λ′ is the slope of the relative correction λ of the contact pressure. If B = 0, no
-    /// force is added.
+    /// Factor B of the additional transverse force Bλ′ of the axial tension, with the relative correction λ of the
+    /// pressure; 0 without this force.
     pub carrier: f64,
     /// Relative correction λ at each node. Contact pressures and contact forces are multiplied by 1 + λ.
     pub factors: Vec<S>,
@@ -192,9 +179,8 @@ impl<S: Scalar> Balance<'_, S> {
         Cell { pieces, ends, length: ends[1] - ends[0] }
     }
 
-    /// Returns the weight of a node in the redistribution of residual forces. The weight times the relative correction
-    /// λ at the node is the additional force there. The weight is the sum of the concentrated contact force, the
-    /// reaction of a one-way support, and the freely chosen positive weights of two-way supports.
+    /// Returns the force at a node per unit of the relative correction λ: contact force, reaction of a one-way support,
+    /// and freely chosen positive weights of two-way supports.
     fn carried_at(&self, node: usize) -> S {
         let weights = &self.frame.nodes[node].weights;
         self.surface.nodes[node].force
@@ -203,9 +189,8 @@ impl<S: Scalar> Balance<'_, S> {
             + self.residual.pushing[node]
     }
 
-    /// Returns the weight of clamps and rotational springs in a cell for the redistribution of residual forces. It is
-    /// the sum of their weights at the left end of the cell and inside. The last cell also includes the right end of
-    /// the beam.
+    /// Returns the sum of the weights of clamps and rotational springs in a cell and at its left end. The last cell
+    /// includes its right end.
     fn turned_in(&self, cell: &Cell<S>) -> S {
         let nodes = &self.frame.nodes;
         let last = cell.pieces.end + 1 == nodes.len();
@@ -233,8 +218,8 @@ impl<S: Scalar> Balance<'_, S> {
         [left, right]
     }
 
-    /// Computes the corrections of the claimed moment along a cell, and of the claimed shear force at the two ends of
-    /// each piece. Returns the corrections of the shear force at the two ends of the cell.
+    /// Computes the corrections of moment and shear force on the pieces of a cell. Returns the corrections of the shear
+    /// force at the ends of the cell.
     fn shear_forces(&self, cell: &Cell<S>, balanced: &mut Balanced<S>) -> [S; 2] {
         let [left, right] = self.end_moments(cell);
         let inner = |i: usize| {
@@ -260,10 +245,8 @@ impl<S: Scalar> Balance<'_, S> {
         [first, shear]
     }
 
-    /// Adds the terms of a cell to the equilibrium equations: contact pressures, forces at inner nodes, moments of
-    /// clamps and rotational springs, and axial tension. The coefficients are intervals. They are computed with the
-    /// claimed pressure and then widened by the resultant of its tensile part, so that they also enclose the
-    /// coefficients without tensile pressure.
+    /// Adds the terms of a cell to the equations (6) of docs/proof.md. The intervals also enclose the coefficients
+    /// without tensile pressure.
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
@@ -306,10 +289,8 @@ impl<S: Scalar> Balance<'_, S> {
         system.rows[j].beside = system.rows[j].beside.widened(tensile.value());
     }
 
-    /// Computes λ, the relative correction of the contact pressure, along a cell. Also bounds the moment and the
-    /// shear force that the corrections of pressures and reactions cause in the cell. In a simply supported cell of
-    /// length h, a load F causes a moment of at most Fh/4 and a shear force of at most F. A couple C causes a moment
-    /// of at most C and a shear force of at most C/h.
+    /// Computes the relative correction λ of the pressure along a cell. Bounds the moment and the shear force of all
+    /// corrections by (7) and (9a) of docs/proof.md.
     fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
         let per_length = S::one().div(cell.length);
         let slope = (ends[1] - ends[0]) * per_length;
@@ -357,9 +338,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// The claimed pressure x − 0.1 balances the load, but it is tensile for x < 0.1. The proof sets the tensile
-    /// part, which has the resultant 0.005, to zero. Then it corrects the compressive part to restore equilibrium.
-    /// Checks that the bounds of the additional moment and shear force contain the changes of both parts.
+    /// The claimed pressure x − 0.1 is tensile for x < 0.1, with the resultant 0.005. The bounds of the added moment
+    /// and shear force must cover the omitted tension and the correction.
     #[test]
     fn omitted_tension_is_a_load_of_the_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = [-0.1, 1.9]\n";

@@ -20,8 +20,8 @@ impl<S: Scalar> Balance<'_, S> {
         (0..self.frame.spans.len()).map(of).sum()
     }
 
-    /// Returns a bound of the sum of β²h/P over all pieces. h is the length of a piece, and β is the transverse force
-    /// that the axial tension P carries. The sum is twice the complementary energy of these forces.
+    /// Returns a bound of Σβ²h/P over the pieces of length h, twice the energy of the transverse forces β that the
+    /// axial tension P carries.
     pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
         let Some(tension) = self.frame.tension else { return Size::ZERO };
         let pieces = self.frame.spans.iter().zip(&balanced.pieces);
@@ -31,15 +31,8 @@ impl<S: Scalar> Balance<'_, S> {
         pieces.map(of).sum()
     }
 
-    /// Returns a bound of ‖Gδp‖_b², twice the energy of the ground displacement Gδp. G is the flexibility of the
-    /// ground, and δp = λp̄ is the correction of the pressure p̄. The relative correction λ is at most γ in magnitude
-    /// on a piece.
-    ///
-    /// On Winkler ground with the subgrade modulus k, ‖Gδp‖_b² = ∫(δp)²/k. In a shear layer, each piece in contact
-    /// contributes γ²∫p̄ Gp̄ to the bound, by equation (8) of docs/proof.md. The displacement Gp̄ is at most
-    /// |w − g₀| + |c| + `missed` √g, where w is the claimed deflection, g₀ the initial gap, c the correction of w,
-    /// and g a bound of the ground displacement under a unit force. `missed` bounds the norm of the residual of the
-    /// ground equation.
+    /// Returns a bound of ‖Gδp‖_b², twice the energy of the ground under the pressure change δp, by (8) of
+    /// docs/proof.md. `missed` bounds the norm of the residual of the ground equation.
     pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
@@ -71,13 +64,8 @@ impl<S: Scalar> Balance<'_, S> {
     }
 }
 
-/// Returns a bound of (∫δ²)^½ on a piece of length h. The moment δ has the end values A and B, and δ″ = −r. The
-/// residual load r satisfies |r − r₀| ≤ R with a constant r₀. A further moment of at most |Δδ| is added. The
-/// moment due to r − r₀ is at most Rx(h − x)/2 at the distance x from an end, so the bound is
-///
-/// ```text
-/// |h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|.
-/// ```
+/// Returns the bound (9) of docs/proof.md for (∫δ²)^½ on a piece of length h. The moment δ has the end values a and b
+/// and the load r ± `rest`, plus a further moment of at most `added`.
 fn moment_norm<S: Scalar>(h: S, [a, b]: [S; 2], (r, rest): (S, Size), added: Size) -> Size {
     let cube = h * h * h;
     let chord = h.div(S::of(3.0)) * (a * a + a * b + b * b);
@@ -96,8 +84,7 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Returns the moment δ at t for the residual load r = c₀ + c₁t + c₂t² + c₃t³ on |t| ≤ 1. The function
-    /// integrates δ″ = −r twice on the length h = 2 `half`, with the end values a and b.
+    /// Returns the moment at −1 ≤ t ≤ 1 under the load Σcⱼtʲ on the length 2 `half`, with the end moments a and b.
     fn moment(c: &[f64; 4], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
         let twice = |t: f64| {
             let terms = c.iter().enumerate();

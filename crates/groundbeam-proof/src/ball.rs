@@ -4,10 +4,9 @@ use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_o
 use crate::scalar::{Scalar, expm1_by_series};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The interval of all numbers x with |x − m| ≤ r, with the midpoint m and the radius r.
+/// An interval of real numbers, stored as its midpoint `m` and its radius `r`.
 ///
-/// Each operation adds a bound of its own rounding error to the radius r, so no operation needs another rounding
-/// mode.
+/// Each operation adds a bound of its rounding error to the radius. The rounding mode stays unchanged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
     m: f64,
@@ -88,11 +87,11 @@ impl Scalar for Ball {
         if !(least > 0.0) {
             return Ball::ALL;
         }
-        // q approximates the quotient a/b of `self` and `other`, with the error (a − qb)/b. `rest.size()` is at least
-        // (1 + 12u) times the residual |a − qb|, where u = 2⁻⁵³. The term 12u covers the rounding errors of the
-        // radius of the result. The smallest normal number covers an underflow of `rest.size() / least`.
+        // The error of `q` is (`self` − q · `other`)/`other`, and `rest` contains the numerator.
         let q = self.m / other.m;
         let rest = self - Ball::new(q, 0.0) * other;
+        // `rest.size()` is at least 1 + 12·2⁻⁵³ times the numerator, which covers the rounding errors of the radius.
+        // `MIN_POSITIVE` covers an underflow of the quotient.
         Ball::new(q, rest.size() / least + f64::MIN_POSITIVE)
     }
 
@@ -103,13 +102,12 @@ impl Scalar for Ball {
         if !(self.low() >= 0.0) {
             return Ball::ALL;
         }
-        // q approximates the root √a of `self`. The error |√a − q| = |a − q²|/(√a + q) is at most |a − q²|/q.
-        // `rest.size()` is at least (1 + 12u) times the residual |a − q²|, where u = 2⁻⁵³. The term 12u covers the
-        // rounding error of the radius of the result. The radius of `rest` is at least εq², where ε is the machine
-        // epsilon, so `rest.size() / q` does not underflow.
+        // The error of `q` as a root of a = `self` is |√a − q| = |a − q²|/(√a + q), which is at most |a − q²|/q.
         let q = self.m.sqrt();
         let root = Ball::new(q, 0.0);
         let rest = self - root * root;
+        // `rest.size()` is at least 1 + 12·2⁻⁵³ times |a − q²|, which covers the rounding error of the radius. The
+        // quotient does not underflow, because the radius of `rest` is at least 2⁻⁵² q².
         Ball::new(q, rest.size() / q)
     }
 

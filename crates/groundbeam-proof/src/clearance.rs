@@ -1,25 +1,14 @@
 //! Bounds the penetration of the beam into ground out of contact, and the energy of the surface correction that removes it.
 //!
-//! C̄ = ū + g₀ − w̄ is the clearance between beam and ground. The ground displacement ū and the deflection w̄ are
-//! constructed from the answer, and g₀ is the initial gap. A negative clearance is a penetration.
+//! The clearance C̄ = ū + g₀ − w̄ follows from the constructed ground displacement ū, the initial gap g₀ and the
+//! constructed deflection w̄. A negative clearance is a penetration. See *Clearance* in section 3 of docs/proof.md.
 //!
-//! On a shear layer, a stretch is a run of pieces out of contact. Each of its ends is a touching node, at which the
-//! beam touches the ground, or an end of the layer. At touching nodes C̄ = 0 by construction. Let x be the distance
-//! from a touching node. For x ≤ d, the penetration is at most τx with a slope τ. Elsewhere it is at most `deepest`.
-//! The correction lowers the ground surface by v = D min(x/d, 1) with D = max(τd, `deepest`). v is zero at every
-//! touching node, so the contact pressures do no work on v. The energy of v satisfies
+//! A stretch is a run of pieces out of contact on a shear layer. On a stretch, the correction lowers the ground surface
+//! by D min(x/d, 1) at the distance x from a touching node, at which the beam touches the ground. The penetration is at
+//! most Dx/d for x ≤ d, and at most D elsewhere. The correction is zero at touching nodes, so the contact pressures do
+//! no work on it. (10) of docs/proof.md bounds its energy.
 //!
-//! ```text
-//! ‖v‖_b² ≤ D²(Σ kh + Σ μ/d + Σ K).
-//! ```
-//!
-//! The sums extend over the pieces of length h of the stretch, over its touching nodes, and over the ends of the beam
-//! that the stretch reaches without contact. k is the subgrade modulus, μ the stiffness of the shear layer, and K the
-//! stiffness of the ground outside an end of the beam.
-//!
-//! On Winkler ground, the correction lowers the surface to max(w̄ − g₀, q/k), where q is the load on the ground. The
-//! norm of this correction is at most (Σ kη²ω)^½, summed over the pieces out of contact. η bounds the penetration
-//! w̄ − g₀ − q/k on a piece, and ω is the length on which the penetration is positive.
+//! On Winkler ground out of contact, the correction lowers the ground surface to the beam where the beam penetrates it.
 
 use crate::arc::Arc;
 use crate::deflection::Deflection;
@@ -33,13 +22,10 @@ use crate::size::Size;
 /// corrections.
 #[derive(Debug)]
 pub(crate) struct Clearance {
-    /// Norm (Σ‖v‖_b²)^½ of the corrections v that lower the surface of shear layers without contact, where ‖v‖_b² =
-    /// ∫(kv² + μv′²) is twice the energy of the ground. The energies of separate stretches can be summed, because v is
-    /// zero at every touching node.
+    /// Bound of (Σ‖v‖_b²)^½ for the corrections v of shear layers, by (10) of docs/proof.md. The energies of the
+    /// stretches can be summed, because v is zero at every touching node.
     pub lifted: Size,
-    /// Bound of the norm of the corrections that lower the surface of Winkler ground to remove penetrations. The
-    /// bound is (Σ kη²ω)^½, summed over the pieces out of contact. k is the subgrade modulus, η bounds the
-    /// penetration on a piece, and ω bounds the length on which the beam penetrates the ground.
+    /// Bound of the norm of the corrections that lower Winkler ground, (Σkη_o²ω_o)^½ in section 3 of docs/proof.md.
     pub risen: Size,
     /// For each piece, an upper bound of the distance by which the correction lowers the ground surface.
     pub raised: Vec<Size>,
@@ -84,8 +70,8 @@ pub(crate) fn clearance<S: Scalar>(
     found
 }
 
-/// Bounds the depth and the length of the penetration w̄ − g₀ − q/k on a piece out of contact on Winkler ground. w̄
-/// is the constructed deflection, g₀ the initial gap, q the load on the ground, and k the subgrade modulus.
+/// Bounds the depth and the length of the penetration on a piece out of contact on Winkler ground. `closed` bounds the
+/// correction of the deflection. The length is in units of the local coordinate t.
 fn above_springs<S: Scalar>(
     span: &Span<S>,
     closed: Size,
@@ -96,9 +82,8 @@ fn above_springs<S: Scalar>(
         let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
-    // If k varies, the clearance q/k + g₀ − w is not a polynomial. The polynomial q − k(w − g₀), which is k times the
-    // clearance, is used instead. q is the load on the ground, k the subgrade modulus, g₀ the initial gap, and w the
-    // claimed deflection.
+    // If k varies, the clearance q/k + g₀ − w under the ground load q is not a polynomial. `clear` is k times the
+    // clearance.
     let stiff = Size::of(span.spring.high());
     let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
@@ -124,8 +109,7 @@ struct Ramp {
     /// Lower bound of the length d of the neighbourhood of a touching node. At each distance x ≤ d from the node, the
     /// penetration is at most τx, with a constant slope τ.
     distance: f64,
-    /// Upper bound τd of the penetration in the neighbourhood of the touching node. d is the length of the
-    /// neighbourhood, and the penetration at the distance x from the node is at most τx.
+    /// Upper bound of the penetration at all distances up to `distance` from the touching node.
     depth: Size,
 }
 
@@ -173,8 +157,7 @@ impl<S: Scalar> Stretch<'_, S> {
         (deepest, if deepest.value() == 0.0 { deepest } else { deepest * stiffness.root() })
     }
 
-    /// Returns the slope of the clearance C̄ = ū + g₀ − w̄ at a touching node, on the side of the piece without
-    /// contact. ū is the constructed ground displacement, g₀ the initial gap, and w̄ the constructed deflection.
+    /// Returns the slope of the clearance of the constructed fields at the end `side` of the piece `i` out of contact.
     fn slope_at(&self, i: usize, side: usize) -> S {
         let span = &self.frame.spans[i];
         let settling = self.surface.pieces[i].flux[side].div(span.shear.at_end(side));
@@ -184,13 +167,11 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// A piece out of contact on a shear layer, in numbers of low precision. If a load q acts on the ground, u − q/k is
-/// stored in place of the ground displacement u, and ψ − q/k in place of the obstacle ψ = w − g₀. The clearance u − ψ
-/// is unchanged. k is the subgrade modulus, w the deflection, and g₀ the initial gap.
+/// A piece out of contact on a shear layer, in numbers of low precision. Its clearance is the ground displacement `arc`
+/// minus `obstacle`. The same settlement may be subtracted from both.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
-    /// ψ = w − g₀ and its derivatives ψ′ and ψ″ with respect to x, as polynomials of the local coordinate t of the
-    /// piece.
+    /// The obstacle and its first and second derivatives with respect to x, as polynomials in the local coordinate t.
     pub obstacle: [Polynomial<C>; 3],
     pub half: C,
     /// Local coordinate t at both ends of the piece.
@@ -200,9 +181,8 @@ pub(crate) struct OpenPiece<C> {
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    /// Returns an open piece with the obstacle ψ = w − g₀. If k or μ varies along the piece, `along` contains the
-    /// ground displacement u as a polynomial. The piece then has the obstacle ψ − u and the ground displacement 0, so
-    /// that the clearance u − ψ is unchanged.
+    /// Returns a piece with the ground displacements `ends` at its ends. The free-field settlement, or the stored
+    /// displacement `along` if k or μ varies, is subtracted from ground displacement and obstacle.
     pub fn of<S: Scalar<Coarse = C>>(
         span: &Span<S>,
         ends: [S; 2],
@@ -230,12 +210,8 @@ impl<C: Scalar> OpenPiece<C> {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }
 
-    /// Returns a lower bound of the second derivative C̄″ = d²C̄/dx² of the clearance for |t − m| ≤ r, where t is the
-    /// local coordinate of the piece. `u` and `slope` are the ground displacement and its slope at t = m.
-    ///
-    /// C̄ = u − ψ − c with the ground displacement u, the obstacle ψ (deflection minus initial gap) and the
-    /// correction c of the deflection. So C̄″ is at least b²u − ψ″ − |c″|, where b² = k/μ. In this formula, u is
-    /// replaced by a lower bound of u for |t − m| ≤ r.
+    /// Returns a lower bound of the second derivative of the clearance with respect to x, for |t − m| ≤ r. `u` and
+    /// `slope` are the ground displacement and its slope at t = m.
     pub fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
         let reach = C::of(r) * self.half;
         let least = self.arc.least();
@@ -249,18 +225,15 @@ impl<C: Scalar> OpenPiece<C> {
         (bent * C::of(least) - about.coefficient(0) - lost).low()
     }
 
-    /// Finds a length d and a slope τ such that the penetration is at most τx at each distance x ≤ d from the end
-    /// `side` of the piece, where the beam touches the ground. `slope` is the slope of the clearance at this end. If
-    /// `alone` is true, the beam does not touch the ground at the other end of the piece, and d is at most the length
-    /// of the piece. Otherwise, d is at most half of this length.
+    /// Returns the [`Ramp`] at the end `side` of the piece, where the clearance has the slope `slope`. It covers at
+    /// most half of the piece if the beam touches the ground at both ends (`alone` is false).
     fn ramp<S: Scalar>(&self, side: usize, slope: S, alone: bool, budget: &mut Budget) -> Ramp {
         let slope = if side == 0 { slope } else { -slope };
         let steep = Size::below_zero(slope.low());
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // `blurred` is the rounding error of computed values of the clearance. If the bound of the penetration is at
-        // most `blurred`, it is accepted, because a bound from computed values of the clearance would be larger.
+        // A bound of at most `blurred`, the rounding error of a computed clearance, is accepted.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -279,8 +252,8 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // If the penetration at `reach`, the far end of the interval, is at least half of its bound `depth`, the
-            // interval is not shortened. No bound of the penetration can be smaller than half of `depth`.
+            // A shorter interval could gain at most a factor of 2 if the penetration at `reach` is at least half of
+            // `depth`.
             let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
             let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
             if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {
@@ -293,9 +266,8 @@ impl<C: Scalar> OpenPiece<C> {
     /// Returns an upper bound of the penetration of the beam into the ground on an interval of the local coordinate
     /// t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
-        // A penetration smaller than the rounding error of the clearance C̄ is accepted. Without this tolerance, the
-        // search at a double zero of C̄, for example beside a clamp, would use up the interval halvings that are
-        // allowed for all pieces together.
+        // A penetration below the rounding error of the clearance is accepted. Otherwise a double zero of the
+        // clearance, for example beside a clamp, would use up `budget`.
         let rounding = f64::EPSILON * (Size::of(self.arc.size()) + self.obstacle[0].size(1.0));
         let mut deepest = Size::ZERO;
         let mut open = Vec::new();
@@ -320,10 +292,8 @@ impl<C: Scalar> OpenPiece<C> {
             }
             let here = Size::below_zero(value.low());
             let depth = here + lost;
-            // `depth` is a bound of the penetration on the interval. It is accepted if it is at most `deepest`, the
-            // largest bound of the previous intervals, or if it is negligible or at most the rounding error of the
-            // clearance. It is also accepted if halving the interval would reduce it only slightly.
             let found = depth <= deepest || depth <= negligible || depth <= rounding;
+            // `depth` is accepted if halving the interval would reduce it only slightly.
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);
             if !enough && a < m && m < b && budget.take() {

@@ -24,10 +24,8 @@ pub(crate) struct Varying<S> {
 }
 
 impl<S: Scalar> Coefficient<S> {
-    /// Returns the coefficient EI, S, k or μ on a piece of a segment. `course` describes this coefficient on the
-    /// whole segment: a constant, or the Bernstein coefficients of a polynomial in s. The position s on the segment
-    /// runs from 0 to 1. The piece extends from s = `ends[0]` to s = `ends[1]`, and `line` is s as a function of the
-    /// local coordinate t of the piece. `scaled` converts a value to the units of the proof.
+    /// Returns the coefficient on a piece from the profile `course` of its segment (0 ≤ s ≤ 1). `line` is s as a
+    /// function of t on the piece, between the two `ends`. `scaled` converts values to the units of the proof.
     pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),
@@ -132,8 +130,8 @@ fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     (0..=degree).map(control).collect()
 }
 
-/// Converts the polynomial with the Bernstein coefficients `values` on 0 ≤ s ≤ 1 to a polynomial in the local
-/// coordinate t of a piece, by de Casteljau's algorithm. `line` gives s as a function of t.
+/// Converts Bernstein coefficients on 0 ≤ s ≤ 1 to a polynomial in the local coordinate t, by de Casteljau's algorithm.
+/// `line` gives s as a function of t.
 fn in_powers<S: Scalar>(values: &[S], line: &Line<S>) -> Polynomial<S> {
     let line = Polynomial::zero() + line;
     let rest = Polynomial::from_coefficients([S::one()]) - &line;

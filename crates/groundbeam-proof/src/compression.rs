@@ -14,37 +14,22 @@ pub(crate) struct Compression<S> {
 }
 
 impl<S: Scalar> Compression<S> {
-    /// Returns N_c = ((1 − σ)N Σhc′²)^½, which bounds the residual of the axial force. N is the compression `force`.
-    /// σ is `margin`: the work of N is at most (1 − σ) times the strain energy of the beam. `turned` is the sum Σhc′²
-    /// over all pieces, with the length h of a piece and the slope c′ of the correction of the deflection.
+    /// Returns N_c = ((1 − σ)NΣhc′²)^½ of section 3 of docs/proof.md, a bound of the residual of the axial force. N is
+    /// `force`, σ is `margin`, and `turned` is Σhc′².
     pub fn misfit(&self, turned: Size) -> Size {
         (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
     }
 
-    /// Returns the factor by which error bounds of a compressed beam multiply the energy norm of a test function. It is
-    /// ((s₂ + N_c)² + s₂²)^½/√σ, where s₂ = √(2E) with the error energy E = `energy`. N_c = [`Compression::misfit`]
-    /// bounds the residual of the axial force. σ is `margin`: the work of the compression is at most (1 − σ) times
-    /// the strain energy. Without compression, the factor is s₂.
+    /// Returns the factor that replaces s₂ = √(2 `energy`) in bounds from test functions, by section 4 of
+    /// docs/proof.md. It is ((s₂ + N_c)² + s₂²)^½/√σ, where N_c is [`Compression::misfit`] and σ is `margin`.
     pub fn test_factor(&self, energy: Size, turned: Size) -> Size {
         let root = (2.0 * energy).root();
         let missed = root + self.misfit(turned);
         (missed.square() + root.square()).over(self.margin).root()
     }
 
-    /// Returns an axial tension T for error bounds of a beam with the axial compression N. The energy of a test
-    /// function z on a beam with the axial tension P is K² = K₁² + P∫z′², where K₁² is the energy without axial
-    /// force. On the compressed beam, T replaces P.
-    ///
-    /// The result is T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². σ is `margin`: the work of N is at most (1 − σ) times the
-    /// strain energy of the beam. `turned` is the sum Σhc′² over all pieces, with the length h of a piece and the
-    /// slope c′ of the correction of the deflection. s₂ = √(2E) with the error energy E = `energy`. With Z = ∫z′² and
-    /// N_c = [`Compression::misfit`], Cauchy's inequality gives
-    ///
-    /// ```text
-    /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + TZ)^½.
-    /// ```
-    ///
-    /// The last two terms on the left side are due to the axial force.
+    /// Returns the tension that replaces the axial force in bounds from test functions, by section 4 of docs/proof.md.
+    /// It is (((1 − σ)N)^½ + N(σ `turned`)^½/s₂)², where N is `force`, σ is `margin`, and s₂ = √(2 `energy`).
     pub fn as_tension(&self, energy: Size, turned: Size) -> Size {
         let force = Size::of(self.force.high());
         let convex = (Size::of((1.0 - self.margin).next_up()) * force).root();

@@ -1,10 +1,8 @@
 //! Proves the exact contact set: finds intervals that contain the contact edges and the concentrated contact forces.
 //!
-//! The proof uses error bounds of the deflection w, the slope w′, the moment M and the ground displacement u on each
-//! piece. On ground with a shear layer, it first proves that the exact solution is out of contact where the claimed
-//! solution is. Then it proves the claimed contact regions. On Winkler ground, the sign of w − g₀ − q/k decides, where
-//! g₀ is the initial gap and q/k the displacement of the ground without contact. If a step fails, the name and the
-//! position of the step are returned.
+//! The theory is in section 5 of docs/proof.md. On a shear layer, the exact solution is first proven to be out of
+//! contact where the claimed solution is. Then the claimed contact regions are proven. The proof on Winkler ground is
+//! in `springs.rs`. If a step fails, its name and position are returned.
 
 use crate::approach::Approach;
 use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
@@ -13,8 +11,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Contact and clearance are proven on parts of a piece that begin at one of its ends. This is the length of the
-/// shortest part, in the local coordinate t of the piece, which runs from about −1 to 1.
+/// Length of the shortest part at an end of a piece on which contact or clearance is proven, in the local coordinate t.
 pub(crate) const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
@@ -46,9 +43,8 @@ impl<S: Scalar> Contact<'_, S> {
     /// contact, then the contact regions and the contact points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
-        // For each node, `beside` contains the bounds `Approach` that are proven for the piece on the left and for
-        // the piece on the right of the node. A piece has such bounds only if it is out of contact and the node is in
-        // contact.
+        // `beside` contains the proven bounds of the pieces to the left and right of each node. Only a piece out of
+        // contact beside a node in contact has such bounds.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         for i in (first..end).filter(|i| !spans[*i].touches) {
             let [left, right] = self.shown_open(i, &mut shown.zones).ok_or_else(|| {
@@ -146,8 +142,8 @@ impl<S: Scalar> Contact<'_, S> {
                     node,
                 ));
             }
-            // The distance between the exact and the claimed end of the contact region is smaller than the distance
-            // between `node` and the claimed end. So the exact solution is in contact on both sides of `node`.
+            // The exact contact region contains `node`: the exact end of the region is closer to the claimed end than
+            // `node`.
             self.force(node, tolerance, true, shown);
         }
         shown.set.regions.push(ContactRegion {
@@ -157,9 +153,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// Bounds the distance between an end of the exact contact region and the claimed end. The bounds are θ outward
-    /// and θ′ inward. θ′ satisfies ∫(p − ε_p) ≥ ε_a − a over the length θ′. ε_p and ε_a are the error bounds of the
-    /// pressure and of the concentrated force a.
+    /// Bounds the distance between the exact and the claimed end of a contact region, outward and inward. The inward
+    /// bound is θ′ of (14) in docs/proof.md.
     fn edge(
         &self,
         node: usize,
@@ -171,9 +166,8 @@ impl<S: Scalar> Contact<'_, S> {
         // The claimed contact region ends at `node`, and the piece `i` is its last piece at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // On a beam with shear deformation, `opened_at` also bounds the length next to the claimed edge, inside the
-        // claimed contact region, on which the exact solution may be out of contact. This bound does not use the
-        // contact set, and may be smaller than the bound from `balanced_inside`.
+        // On a beam with shear deformation, `opened_at` gives another bound of the inward distance, which may be
+        // smaller than that of `balanced_inside`.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);
@@ -226,14 +220,10 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the following is proven for a node: if the exact solution is out of contact at the node, the slope of
-    /// the exact clearance C* = u* + g₀ − w* does not decrease from the left side of the node to its right side. u*
-    /// is the ground displacement, g₀ the initial gap, and w* the deflection.
+    /// Whether the slope of the exact clearance is proven not to decrease from left to right at a node out of contact.
     ///
-    /// The node must lie inside a shear layer and have no hinge, no point force on the ground and no jump of a
-    /// stiffness. The slope of g₀ must not decrease at the node. On a beam with shear deformation, a downward point
-    /// force F on the beam increases the slope of C* by F/(S + P), with the shear stiffness S and the axial tension
-    /// P. So F must act downward, and the node must have no support.
+    /// See *Region* and *Timoshenko beams on a layer* in section 5 of docs/proof.md. On a beam with shear deformation,
+    /// the node must have no support and no upward force.
     pub(crate) fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
@@ -260,10 +250,8 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Returns a length L at an end of a piece on which the contact pressure balances the force `missing`: (p − ε)L is at
-/// least `missing`. Here p is the smallest pressure on this length, and ε = `error` is the error bound of the
-/// pressure. The search covers about half of the piece. If it finds no length, the result is infinite. `end` is the
-/// local coordinate t of the end of the piece, and `half` is the length per unit of t.
+/// Returns a length at an end of a piece on which the pressure minus `error` balances the force `missing`; infinite if
+/// none is found on half of the piece. `end` is t at this end, and `half` is the length per unit of t.
 fn balanced_inside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,
@@ -276,18 +264,14 @@ fn balanced_inside<C: Scalar>(
         .unwrap_or(Size::INFINITE)
 }
 
-/// Lengths of parts of a piece, in the local coordinate t of the piece. Each part begins at the same end of the
-/// piece. The first length is [`SHORTEST_PART`], each following length is four times the previous length, and all are
-/// below 1.
+/// Returns lengths of parts of a piece in the local coordinate t: [`SHORTEST_PART`] times powers of 4, below 1.
 pub(crate) fn growing_parts() -> impl Iterator<Item = f64> {
     std::iter::successors(Some(SHORTEST_PART), |part| Some(4.0 * part))
         .take_while(|part| *part < 1.0)
 }
 
-/// Tries several parts of a piece, which all begin at the same end of the piece. For each part, `least` is a lower
-/// bound of the claimed pressure minus its error bound, and `required(least)` is the length that the proof needs at
-/// this pressure. Returns the first required length that is not longer than its part, or `None` if every part is too
-/// short.
+/// Returns the first of the lengths `required(least)` that fits into its part of a piece. `least` is a lower bound of
+/// the pressure minus `error` on this part. All parts begin at the end `side`.
 pub(crate) fn balanced_on<C: Scalar>(
     mut parts: impl Iterator<Item = f64>,
     field: &Polynomial<C>,
@@ -303,9 +287,8 @@ pub(crate) fn balanced_on<C: Scalar>(
     })
 }
 
-/// Examines a part of a piece that begins at one of its ends. Returns a lower bound of the claimed pressure minus its
-/// error bound on this part, and a lower bound of the length of this part. `part` is the length of this part in the
-/// local coordinate t of the piece.
+/// Returns lower bounds for a part of a piece at its end `side`: of the pressure minus `error`, and of the length of
+/// the part. `part` is this length in the local coordinate t.
 fn pressed_beside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,

@@ -47,14 +47,13 @@ pub(crate) struct EdgeShift {
     /// Upper bound θ′ of the distance between the exact and the claimed end of the contact region, if the exact end
     /// lies inside the claimed region.
     pub inside: Size,
-    /// Upper bounds Φ₀ of the jump of the shear-layer force μu′ at the end of the contact region: first if the exact
-    /// end lies outside the claimed region, second if it lies inside. They do not include the effect of the slope
-    /// error.
+    /// Upper bounds Φ₀ of the jump of the shear-layer force μu′ at the exact edge, without the effect of the slope
+    /// error: if the edge lies outside the claimed region, and if it lies inside.
     pub beyond: [Size; 2],
 }
 
-/// An interval next to an end of a piece, on which w* − g₀, the exact deflection minus the initial gap, is monotone.
-/// The end is a contact edge on Winkler ground, or a rigid support at the height of the ground surface.
+/// An interval next to a contact edge on Winkler ground, or next to a rigid support at the ground surface. On the
+/// interval, the exact w − g₀ − q/k is monotone; on a shear layer, w − g₀ is monotone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -88,8 +87,7 @@ pub(crate) struct Shown {
     pub tolerances: Vec<Size>,
     /// For each node, whether the exact contact force is proven to be positive.
     pub pressed: Vec<bool>,
-    /// Intervals of the beam on which w* − g₀, the exact deflection minus the initial gap, is monotone. They lie next
-    /// to contact edges on Winkler ground, and next to rigid supports at the height of the ground surface.
+    /// Intervals next to contact edges on Winkler ground, and next to rigid supports at the ground surface.
     pub zones: Vec<Zone>,
     /// The iterations of the proof on a beam with shear deformation, from the first to the last. The list is empty
     /// without shear deformation.
@@ -134,10 +132,10 @@ pub(crate) struct Contact<'a, S> {
 const ROUNDS: usize = 3;
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Proves the contact set and the bounds of the shear force that depend on the contact set.
+    /// Proves the contact set, and tightens the bounds of the shear force in `pieces`.
     ///
-    /// On a beam with shear deformation, the contact set depends on the slope, and the slope depends on the shear
-    /// force. The iteration starts with the contact that is proven without a bound of the slope.
+    /// With shear deformation, each depends on the other. The iteration starts with bounds of the contact edges that
+    /// need no slope.
     pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
         let (fields, frame) = (self.fields, self.fields.frame);
         let (mut rounds, mut past) = (1, Vec::new());

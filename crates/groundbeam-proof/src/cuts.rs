@@ -9,10 +9,8 @@ pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
 }
 
-/// Returns the nodes of [`fewest_cuts`] and additional nodes at which the beam is cut. Lengths count only where the
-/// beam is in contact, in units of the characteristic length (4EI/k)^¼. An additional cut requires a length of more
-/// than 2 between the previous cut and the new cut, and of more than 1 to the right of the new cut. If a contact zone
-/// ends at the new cut, a length of more than 1 from the previous cut to the new cut is enough.
+/// Returns the nodes of [`fewest_cuts`] and additional cuts. An additional cut needs lengths in contact, in units of
+/// (4EI/k)^¼: more than 2 since the previous cut (1 if contact ends at the cut), and more than 1 to its right.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -45,8 +43,8 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// Returns the results of [`fewest_cuts`] and [`more_cuts`] for a beam with the characteristic length
-    /// (4EI/k)^¼ = 1. `lengths` are the lengths of the pieces; a negative length denotes a piece out of contact.
+    /// Returns the results of [`fewest_cuts`] and [`more_cuts`] for pieces with the given `lengths`, negative out of
+    /// contact. The unit (4EI/k)^¼ is 1.
     fn cuts(lengths: &[f64], hinges: &str) -> [Vec<usize>; 2] {
         let total: f64 = lengths.iter().map(|length| length.abs()).sum();
         let model = format!("[beam]\nlength = {total}\nEI = 6\n[foundation]\nk = 24\n{hinges}");

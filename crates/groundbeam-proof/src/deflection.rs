@@ -1,15 +1,9 @@
 //! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′, from the claimed fields and the rigid supports.
 //!
-//! w̄ and φ̄ satisfy the supports. w̄ is continuous, and φ̄ is continuous except at hinges. Where the beam has no
-//! shear deformation, φ = w′. The correction c closes the jumps of the claimed fields. On a piece shorter than a
-//! characteristic length (4EI/k)^¼, the correction is rigid: c is linear and continues the correction of the neighbouring
-//! piece. On a longer piece, and on the longest piece between two rigid supports, the correction bends the piece: c
-//! is the cubic with given values a and slopes b at both ends. Let h be the length of the piece, A the largest |a|
-//! and B the largest |b|. Then
-//!
-//! ```text
-//! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
-//! ```
+//! The correction c closes the jumps of the claimed deflection w and rotation φ, and satisfies the rigid supports. It
+//! is a cubic on pieces of at least the characteristic length (4EI/k)^¼, and on the longest piece between two rigid
+//! supports. On other pieces, c is linear and continues the correction of the neighbouring piece. (3) of docs/proof.md
+//! bounds c.
 
 use crate::frame::{Frame, Span};
 use crate::polynomial::Polynomial;
@@ -57,9 +51,8 @@ pub(crate) struct Deflection<S> {
     pub claimed: Vec<Claimed<S>>,
     /// Corrected deflection w̄ at the nodes.
     pub values: Vec<S>,
-    /// For each node, the index of an adjacent piece, and the end of this piece at the node: 0 for the left end, 1
-    /// for the right end. The spring forces at the node follow from the claimed values there. The piece is the
-    /// neighbour with the smaller coefficients of w, because its values have less rounding error.
+    /// For each node, an adjacent piece and its end at the node (0 left, 1 right), whose claimed values give the spring
+    /// forces. The piece with the smaller coefficients of w is taken, for less rounding error.
     pub felt: Vec<[usize; 2]>,
 }
 
@@ -112,9 +105,8 @@ fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     }
 }
 
-/// Selects the pieces on which the correction of the deflection is a cubic: pieces at least as long as the
-/// characteristic length (4EI/k)^¼, and the longest piece between two neighbouring rigid supports. On the other
-/// pieces, the correction is linear.
+/// Selects the pieces with a cubic correction: pieces of at least the characteristic length (4EI/k)^¼, and the longest
+/// piece between neighbouring rigid supports.
 fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     let length = |i: usize| frame.spans[i].h.middle();
     let mut bends: Vec<bool> = frame
@@ -151,8 +143,8 @@ struct Walk<'a, S> {
 }
 
 impl<S: Scalar> Walk<'_, S> {
-    /// Computes the corrected deflection w̄ and rotation φ̄ at all nodes, chain by chain. A chain is a run of
-    /// pieces with a linear correction, or a single node between two pieces with a cubic correction.
+    /// Computes the corrected deflection and rotation at all nodes. A chain is a run of pieces with a linear
+    /// correction, or a single node between pieces with a cubic correction.
     fn chains(&mut self) {
         let last = self.frame.spans.len();
         let mut first = 0;
@@ -166,15 +158,14 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// Computes the corrected deflection w̄ and rotation φ̄ at the nodes of one run of pieces with a linear
-    /// correction, from the node `first` up to and including the node `end`. The run may consist of a single node.
+    /// Computes the corrected deflection and rotation at the nodes of one chain, from `first` up to and including
+    /// `end`.
     fn chain(&mut self, first: usize, end: usize) {
         let nodes = &self.frame.nodes;
         let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
         let start = support.unwrap_or(first);
-        // At the node `start`, the corrected deflection and rotation are those that are claimed for an adjacent
-        // piece, unless a rigid support or a clamp prescribes them. The adjacent piece is one with a linear
-        // correction. If both adjacent pieces have a cubic correction, the shorter one is used.
+        // At `start`, the claimed values of an adjacent piece with a linear correction are kept. If both corrections
+        // are cubic, those of the shorter piece are kept.
         let length = |i: usize| self.frame.spans[i].h.middle();
         let keeps = match (start > 0, start < self.frame.spans.len()) {
             (true, true) if start < end => (start, 0),

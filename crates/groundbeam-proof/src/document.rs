@@ -22,8 +22,8 @@ pub struct Document {
     pub units: Option<String>,
     /// Value of the key `model_digest`: the digest of the model file and of the table files to which it refers.
     pub model_digest: Option<String>,
-    /// Value of the key `model`: the model that was solved, as the text of a model file. It is present only if the
-    /// original file has a key that the reader of the proof checker does not support.
+    /// Value of the key `model`: the text of the solved model file. It is present only if the original file has a key
+    /// that the proof checker does not read.
     pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
@@ -78,11 +78,11 @@ pub struct Extreme {
 }
 
 impl Document {
-    /// Reads a document that contains one result, or one result for each combination.
+    /// Reads a document with one result, or with one result for each combination.
     ///
     /// # Errors
     ///
-    /// Returns an error if the text is not JSON, contains a key twice, or does not have the form of a result.
+    /// Returns an error if the text is not JSON, repeats a key, or is not a result.
     pub fn read(text: &str) -> Result<Vec<Document>, JsonError> {
         let mut root = object(json::read(text)?, "the document")?;
         let Some(combinations) = root.remove("combinations") else {

@@ -23,9 +23,8 @@ use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Edges of contact at the left and right end of one piece; `None` at an end without an edge. For each edge: the length
-/// on which only the claimed or only the exact solution is in contact, and the bound Φ₀ of the jump of the shear-layer
-/// force μu′.
+/// Contact edges at the left and right end of a piece. For each edge: the length on which only one of the claimed and
+/// exact solutions is in contact, and the bound Φ₀ of the jump of the shear-layer force.
 pub(crate) type EdgesOfPiece = [Option<[Size; 2]>; 2];
 
 /// Assigns the edges of contact to the ends of every piece.
@@ -48,11 +47,9 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Returns ε_T, the error bound of the transverse force T, on a piece with edges of contact at its ends.
-    /// `steady` is the part of ε_T that is not due to these edges. `rest` is the last term of ε_V(1 + P/S) ≤ ε_T +
-    /// `rest`, where ε_V is the error bound of the shear force, P the axial tension and S the shear stiffness of
-    /// the beam. The result is infinite unless the claimed and the exact edge are less than half of the piece
-    /// apart.
+    /// Returns the error bound of the transverse force beside contact edges, by the formula at the top of this file.
+    /// `steady` is the part without the edges. The bound is infinite if an edge is uncertain by about half of the
+    /// piece.
     pub(crate) fn beside_edges(
         &self,
         i: usize,
@@ -97,9 +94,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks which edges of contact `edges_of_pieces` assigns to the two ends of each piece. Case 1: two contact
-    /// regions have edges at nodes 1, 2 and 3, and the exact edge at node 3 cannot lie outside the claimed region. Case
-    /// 2: the edges lie at both ends of the beam, where only one piece is adjacent.
+    /// Checks the contact edges at the ends of each piece: first for edges at the nodes 1, 2 and 3, then for edges at
+    /// both ends of the beam.
     #[test]
     fn an_edge_lies_at_the_ends_of_its_two_pieces() {
         let edge = |node: usize, side: usize, lengths: [f64; 2]| {
@@ -118,9 +114,8 @@ mod tests {
         assert_eq!(edges_of_pieces(&ends, 2), [[place(2.0), None], [None, place(4.0)]]);
     }
 
-    /// Compares the error bound of the transverse force with the formula A/(1 − χ) at the top of this file. The beam
-    /// has the shear stiffness S = 3 and the axial tension P = 1, and the shear layer has μ = 2. So χ = (1 + γ)μ/(S + P
-    /// + μ) is (1 + γ)/3, where γ is the relative change of the contact pressure: 1/4 in contact, and 0 out of contact.
+    /// Compares the error bound of the transverse force with A/(1 − χ) at the top of this file, where χ = (1 + γ)/3.
+    /// The relative change γ of the pressure is 1/4 in contact.
     #[test]
     fn the_force_beside_an_edge_is_that_of_the_closed_form() {
         let model = "[beam]\nlength = 1.5\nEI = 1\nshear_stiffness = 3\naxial_force = 1\n\

@@ -1,7 +1,6 @@
 //! Reads models and proves claimed solutions, in the number types whose operations enclose rounding errors.
 //!
-//! These functions are compiled here for each number type. Otherwise every crate that calls them would compile the
-//! whole proof again.
+//! The functions are compiled here for each number type, so that other crates need not compile the whole proof again.
 
 use crate::answer::Answer;
 use crate::ball::Ball;
@@ -56,11 +55,10 @@ macro_rules! compiled {
 
 compiled!(Ball, Wide);
 
-/// Reads a model file. Returns the model under the loads of a combination, or under all loads with their
-/// values in the file.
+/// Reads a model file, with the loads of a combination or with all loads at their values in the file.
 ///
-/// Numbers are converted to m, N and rad if the file has units; otherwise they are unchanged. Decimals and
-/// unit factors are exact, or enclosed if the number type cannot represent them.
+/// If the file has units, numbers are converted to m, N and rad. Each number is exact, or enclosed if the number type
+/// cannot represent it.
 ///
 /// ```
 /// use groundbeam_proof::{Wide, Scalar, read_model};
@@ -104,8 +102,7 @@ pub fn verify<S: Enclosing>(
     S::verify(model, document, None)
 }
 
-/// Proves the claimed solution in a document, checks the other numbers that the document lists, and writes the log of
-/// the proof if `log` is given.
+/// Verifies a document as [`verify`] does, and writes the log of the proof to `log` if it is given.
 ///
 /// # Errors
 ///

@@ -1,7 +1,6 @@
 //! Computes the strain energy and the potential energy of beam and ground in a claimed solution, in double precision.
 //!
-//! The bound of the error energy of the claimed solution is compared with these energies. The energies themselves are
-//! not bounds, because they contain the rounding errors of the sums.
+//! The energies have rounding errors, so they are not bounds. The bound of the error energy is compared with them.
 
 use crate::coefficient::Coefficient;
 use crate::deflection::Deflection;
@@ -14,15 +13,11 @@ use crate::scalar::Scalar;
 /// Energies of a claimed solution, in the units of force and length of the proof.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Energies {
-    /// Strain energy, with which the error energy is compared: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½b(u, u) plus the energy
-    /// of springs and elastic hinges, plus ½∫EIκ₀² for the imposed curvature κ₀ and ½∫|P|w′² for the axial force P. The
-    /// deflection is w, the rotation φ, the shear stiffness S, and the energy of the ground with the displacement u is
-    /// ½b(u, u).
+    /// Strain energy of beam, ground, springs and elastic hinges, plus ½∫EIκ₀² for the imposed curvature κ₀ and
+    /// ½∫|P|w′² for the axial force P. The error energy is compared with it.
     pub strain: f64,
-    /// Potential energy J: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½∫Pw′² + ½b(u, u) plus the energy of springs and elastic
-    /// hinges, minus the work of the loads. w is the deflection, φ the rotation, κ₀ the imposed curvature, S the
-    /// shear stiffness, P the axial force (positive in tension), and ½b(u, u) the energy of the ground with the
-    /// displacement u.
+    /// Potential energy J: the strain energy of beam, ground, springs and elastic hinges, plus ½∫Pw′² for the axial
+    /// force P (positive in tension), minus the work of the loads.
     pub potential: f64,
 }
 
@@ -90,9 +85,8 @@ impl Sums {
         self.work += half * Series::of(&span.moment).times(rotation);
     }
 
-    /// Adds the contributions of the ground on one piece: ∫(ku² + μu′²) dx to `strain`, and ∫qu dx to `work`. u is the
-    /// ground displacement, and q the load on the ground. For a shear layer out of contact, the first integral is
-    /// computed by parts: it is ∫qu dx plus the increase of μu′u from the left to the right end of the piece.
+    /// Adds ∫(ku² + μu′²) on one piece to `strain`, and the work ∫qu of the load q on the ground to `work`. On a shear
+    /// layer out of contact, the first integral is ∫qu plus the increase of μu′u, by parts.
     fn ground<S: Scalar>(
         &mut self,
         fields: &Fields<S>,

@@ -24,14 +24,12 @@ pub struct Estimate {
     pub potential_energy: f64,
 }
 
-/// Estimates the energies of a claimed solution. Under compression, `stability` is the fraction of the convexity of
-/// the energy that remains: 1 minus the compression divided by the critical compression. If `stability` is `None`,
-/// the fraction is computed from supports and stiffness alone.
+/// Estimates the energies of a claimed solution. Under compression, `stability` is 1 minus the compression divided by
+/// the critical compression. `None` means that this number is computed from supports and stiffness alone.
 ///
 /// # Errors
 ///
-/// Returns the reason why no contact pressure in equilibrium with the loads, or no deflection that satisfies the
-/// conditions at supports and ground, can be constructed from the claimed solution.
+/// Returns the reason why pressures in equilibrium or an admissible deflection cannot be constructed.
 pub fn estimate(
     model: &Model<f64>,
     answer: &Answer,
@@ -67,10 +65,8 @@ mod tests {
         estimate(&model, &Answer::from_json(&document.to_string()).expect("an answer"), None)
     }
 
-    /// A beam of length 2 on Winkler ground with k = 1 has the exact deflection w = 1 under the distributed load 1. The
-    /// claim w = 1 + ε has the error energy ½k∫ε² = ε² and the strain energy ½k∫(1 + ε)². The estimate of the error
-    /// energy may be larger, because it includes a bound of the moments that the correction of the contact pressure
-    /// causes.
+    /// Checks the estimate for the claim w = 1 + ε. The exact deflection is 1, so the error energy is ε². The estimate
+    /// may be larger, because it includes a bound of the moments that restore equilibrium.
     #[test]
     fn the_estimate_of_a_shifted_beam_covers_its_error_energy() {
         let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = 1\n";
@@ -92,11 +88,8 @@ mod tests {
         }
     }
 
-    /// A beam on a pin at its middle carries the forces 3 and 3 + ε at its ends, at the distance 1 from the pin. At the
-    /// distance s from the pin, w = (3s² − s³)/(2EI), so the slope at the ends is 3/(2EI) and the strain energy is
-    /// 3/EI. A constant transverse force ε/2 in the beam of length 2 balances the moment ε about the pin. The added
-    /// energy is twice the product of this force, the length 2 and the slope 3/(2EI), which is 3ε/EI. It must be at
-    /// most 10⁻⁸ times the strain energy.
+    /// Checks a beam on a pin at midspan under the end forces 3 and 3 + ε. Balancing the moment ε adds the energy
+    /// 3ε/EI, which must be at most 10⁻⁸ of the strain energy 3/EI.
     #[test]
     fn a_beam_on_one_pin_may_be_unbalanced_by_rounding_error() {
         for bending in [1.0, 4096.0, 1.0 / 4096.0] {

@@ -1,8 +1,8 @@
 //! Finds intervals that contain every position where an exact field has its largest or smallest value.
 //!
-//! Let f be the field of the claimed solution, f* the exact field, and |f − f*| ≤ ε. At a position of the largest
-//! value of f*, f ≥ f(x₀) − 2ε for any x₀. Inside a piece, f*′ is zero at such a position. So parts with |f′| > ε′ are
-//! excluded, where ε′ bounds |f′ − f*′|. At the ends of pieces, only the values of f are compared.
+//! An interval is excluded if the claimed field on it differs from its extreme by more than twice the error bound, or
+//! if the magnitude of its slope exceeds the error bound of the slope. See *Positions of extremes* in section 6 of
+//! docs/proof.md.
 
 use crate::bounds::Bounds;
 use crate::document::Extreme;
@@ -12,8 +12,8 @@ use crate::polynomial::{Budget, Polynomial, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// An interval of the local coordinate t that is at most this long is not halved. The first length applies if the
-/// derivative of the field has an error bound, the second if it has none.
+/// Intervals of the local coordinate t up to this length are not halved: first with, then without an error bound of the
+/// derivative of the field.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
 /// An extreme of a field that a result document lists, and the proven positions of this extreme in the exact solution.
@@ -38,8 +38,8 @@ impl PlacedExtreme {
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// Returns the distance \[m\] from the position of the extreme in the result document to the nearest proven interval.
-    /// The distance is zero if an interval contains this position, and also if no interval is proven.
+    /// Returns the distance \[m\] from the listed position to the nearest proven interval; zero inside an interval, and
+    /// if no interval is proven.
     pub fn distance(&self) -> f64 {
         self.nearest().map_or(0.0, |place| self.distance_from(place))
     }
@@ -48,8 +48,8 @@ impl PlacedExtreme {
         (low - self.listed).max(self.listed - high).max(0.0)
     }
 
-    /// Returns the distance \[m\] from the position of the extreme in the result document to the farther end of the
-    /// nearest proven interval, rounded up. The distance is infinite if no interval is proven.
+    /// Returns the distance \[m\] from the listed position to the farther end of the nearest proven interval, rounded
+    /// up; infinite if no interval is proven.
     pub fn error(&self) -> f64 {
         let Some([low, high]) = self.nearest() else { return f64::INFINITY };
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
@@ -197,9 +197,7 @@ impl<S: Scalar> Search<'_, S> {
                 continue;
             }
             let slope = about.derivative();
-            // Suppose that, on the whole interval, the field times `sign` is at least `level`, and the magnitude of its
-            // slope is at most `steep`, the error bound of the slope. Then neither half of the interval can be
-            // excluded.
+            // Neither half can be excluded if the whole interval reaches `level` and its slope is at most `steep`.
             let reaches =
                 (about.coefficient(0).low() - about.tail(r).value()).next_down() >= self.level;
             if reaches && (slope.coefficient(0).size() + slope.tail(r).value()).next_up() <= steep
@@ -260,8 +258,8 @@ mod tests {
         }
     }
 
-    /// Passes the fields of a claimed solution to `of`. The beam has the length 1 and EI = 1, and is out of
-    /// contact. `deflection` contains the coefficients of w as a polynomial in the local coordinate t.
+    /// Passes the fields of a beam with length 1 and EI = 1 out of contact to `of`. `deflection` contains the
+    /// coefficients of w in t.
     fn with_beam(deflection: &[f64], shears: bool, of: impl FnOnce(&Fields<Wide>, &Patches<Wide>)) {
         let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
         let model = format!("[foundation]\nk = 1\n[beam]\nlength = 1\nEI = 1\n{stiffness}");
@@ -273,11 +271,8 @@ mod tests {
         with_fields(&model, &json!({"pieces": [piece]}), |fields| of(fields, &Patches::of(fields)));
     }
 
-    /// Checks two numbers that limit the search for the extremes of each field. `level` is the largest known value of
-    /// the field minus twice its error bound. `steep` is the error bound of the derivative of the field with respect to
-    /// x. For the deflection it is the error bound of the slope, and for the moment M that of the shear force. For the
-    /// rotation it is the error bound of M divided by EI. Without shear deformation, the slope has the same `steep` as
-    /// the rotation.
+    /// Checks the limits of the search: `level` is the largest known value of the field minus twice its error bound,
+    /// and `steep` is the error bound of its derivative.
     #[test]
     fn the_errors_of_a_field_and_of_its_derivative_bound_the_search() {
         let error = |error: f64| Bound { error, scale: 1.0 };

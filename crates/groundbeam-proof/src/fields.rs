@@ -23,12 +23,9 @@ pub(crate) struct Fields<'a, S> {
     pub pressures: Vec<Pressure<S>>,
     pub residual: Residual<S>,
     pub clearance: Clearance,
-    /// Upper bounds of the squared norms ‖c‖²_beam = ∫EI c″² dx and ∫c′² dx of the correction c of the deflection. Each
-    /// bound is a sum over the pieces of the beam: the length of a piece times an upper bound of the integrand.
+    /// Upper bounds of ∫EI c″² and ∫c′² over the beam, with the correction c of the deflection.
     pub closing: [Size; 2],
-    /// Upper bound of the energy norm ‖·‖_b of the residual in the equilibrium of the ground. It is the sum of ‖c‖_b
-    /// for the correction c of the deflection, Σ|r|√g for residual forces r on a shear layer with the flexibility g,
-    /// and Ση(ω/k)^½ for tensile pressures of at most η on the length ω.
+    /// Upper bound of the norm of the residual of the ground equation, Y₀ in section 3 of docs/proof.md.
     missed: Size,
 }
 
@@ -47,9 +44,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
-    /// Returns the bound E of the error energy. Also returns the corrections of the contact pressures and moments from
-    /// which E is computed. The axial tension takes part in the corrections only if pressures and supports alone cannot
-    /// balance the loads.
+    /// Returns the bound of the error energy and the corrections from which it follows. The axial tension takes part
+    /// only if pressures and supports alone cannot balance the loads.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
         match (self.least_energy(0.0), self.frame.tension) {
             (Err(_), Some(_)) => self.least_energy(self.frame.carrier),
@@ -57,10 +53,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// Estimates the error energy of a beam without tension that is supported at only one point. The theorem of
-    /// docs/proof.md does not cover such a beam. A fictitious transverse force balances the loads that the contact
-    /// pressure and the support cannot balance. An upper estimate of the work of this force on the slope of the beam is
-    /// added to the error energy. The function returns an error if the added work exceeds `rounding`.
+    /// Estimates, without proof, the error energy if contact and supports cannot balance the loads, as on a single pin.
+    /// A fictitious transverse force balances the loads. Its work is added; work above `rounding` is an error.
     pub fn nearly_balanced_energy(&self, rounding: f64) -> Result<Size, NotProven> {
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
@@ -74,9 +68,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Err(NotProven::new("the contact pressure does not balance the loads"))
     }
 
-    /// Redistributes the residual forces twice, with few and with more cuts of the beam. Returns the result with
-    /// the smaller bound E of the error energy, and this bound. `carrier` is the weighting factor of the axial
-    /// tension in the redistribution.
+    /// Balances the residual forces with few and with more cuts of the beam, and returns the result with the smaller
+    /// energy bound. `carrier` is the weighting factor of the axial tension.
     fn least_energy(&self, carrier: f64) -> Result<(Size, Balanced<S>), NotProven> {
         let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
         let with_more = (more.len() > few.len()).then(|| self.energy_with(more, carrier));
@@ -88,16 +81,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// Computes the bound E of equation (11) of `docs/proof.md`, where the symbols are defined:
-    ///
-    /// ```text
-    /// E = ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + ‖supports‖² + Ḡ²],
-    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½.
-    /// ```
-    ///
-    /// Under compression, E = ½[(√X + N_c)²/σ + Ḡ²]. X is the sum of the terms of E in brackets, without Ḡ² and
-    /// without the term that contains P. N_c bounds the residual of the axial force, and σ is the fraction of the
-    /// convexity of the energy that remains under compression.
+    /// Computes the bound of the error energy by (11) of docs/proof.md, or under compression by (2a). The beam is cut
+    /// at the nodes `cuts` for the balance of the residual forces.
     fn energy_with(
         &self,
         cuts: Vec<usize>,
@@ -126,10 +111,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok((energy, balanced))
     }
 
-    /// Returns an upper bound of the squared norm of the residuals of the springs: the sum of (residual force)²/κ and
-    /// (residual moment)²/κ_θ, with the stiffness κ of a translational and κ_θ of a rotational spring. The residual
-    /// force of a spring is bounded by the sum of two changes of its force: the change due to the correction of the
-    /// deflection, and the change that restores equilibrium. The same holds for the residual moment.
+    /// Returns a bound of the sum of (residual force)²/stiffness over all translational and rotational springs, for
+    /// (11) of docs/proof.md.
     fn supports(&self, balanced: &Balanced<S>) -> Size {
         let mut sum = Size::ZERO;
         let missed = |stiffness: S, change: S, added: Size| {
@@ -185,8 +168,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
     }
 }
 
-/// Returns upper bounds of the squared norms ‖c‖²_beam = ∫EI c″² dx and ∫c′² dx of the correction c of the deflection.
-/// Each bound is a sum over the pieces of the beam: the length of a piece times an upper bound of the integrand.
+/// Returns upper bounds of ∫EI c″² and ∫c′² over the beam, with the correction c of the deflection.
 fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2] {
     let mut both = [Size::ZERO; 2];
     for (span, c) in frame.spans.iter().zip(&deflection.pieces) {
@@ -205,8 +187,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the bounds of the norms of the correction that is added to a claimed deflection to remove its jumps. Each
-    /// piece is longer than the characteristic length (4EI/k)^¼, so the correction is a cubic on each piece.
+    /// Checks the norms of the correction of a claimed deflection. Each piece is longer than (4EI/k)^¼, so its
+    /// correction is a cubic.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
         let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";
@@ -240,8 +222,8 @@ mod tests {
         });
     }
 
-    /// The hinge has the rotational stiffness k_φ = 4. The slope jumps at the hinge by −¼ in the claimed
-    /// deflection, and by 0.3 − 0.1 in the correction. The claimed bending moment is zero.
+    /// Checks the residual of a hinge with the stiffness 4. The slope jumps by −¼ in the claimed deflection and by 0.2
+    /// in the correction.
     #[test]
     fn the_residual_of_an_elastic_hinge_contains_the_correction() {
         let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[hinge]]\nat = 0.5\nrotational_spring = 4\n";

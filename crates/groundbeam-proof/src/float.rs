@@ -1,7 +1,7 @@
 //! Range limits of balls (intervals stored as midpoint and radius), and exact scaling of doubles by powers of two.
 
-/// Factor by which a computed radius of a ball is multiplied, so that rounding errors cannot make it too small. The
-/// factor is 1 + 16u, where u = 2⁻⁵³ is the largest relative rounding error of one operation. It covers ten operations.
+/// Factor for computed radii of balls, so that rounding errors cannot make them too small. It is 1 + 16u with the
+/// largest relative rounding error u = 2⁻⁵³, and covers ten operations.
 pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
 /// Smallest magnitude of a nonzero midpoint of a ball. Smaller midpoints are replaced by 0, because the error bounds do
 /// not cover the rounding errors of subnormal numbers.

@@ -136,11 +136,10 @@ pub(crate) struct Frame<S> {
     pub carrier: f64,
     /// Data of the axial compression; `None` if the axial force P (positive in tension) is zero or positive.
     pub compression: Option<Compression<S>>,
-    /// Stiffness K₀ and K_l of the ground outside the left and right end of the beam; exactly 0 without such ground. The force in
-    /// the shear layer at an end is Ku − T, with the ground displacement u and the load term T.
+    /// Stiffnesses K₀ and K_l of the ground beyond the left and right end of the beam; exactly 0 without such ground.
     pub outside: [S; 2],
-    /// Forces T₀ and T_l at the ends of the beam due to loads on the ground outside the beam. The force in the shear layer at an
-    /// end is Ku − T, with the stiffness K of this ground and the ground displacement u.
+    /// Downward forces T₀ and T_l at the ends of the beam due to loads on the ground beyond it. With the displacement u
+    /// of an end, this ground exerts the upward force Ku − T.
     pub pushed: [S; 2],
     /// Ground outside the two ends of the beam. `outside` and `pushed` follow from this ground.
     pub rows: [Row<S>; 2],
@@ -182,10 +181,9 @@ impl<S: Scalar> Node<S> {
 }
 
 impl<S: Scalar> Span<S> {
-    /// Returns the geometry of a piece and its claimed deflection.
+    /// Returns a piece with its geometry and claimed fields.
     ///
-    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼ for the local coordinates t_L and t_R of the two ends of the piece, so that t
-    /// runs from about −1 to 1.
+    /// At the ends of the piece, the local coordinate t must be within ¼ of −1 and 1.
     pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
         if piece.deflection.is_empty() {
@@ -394,8 +392,8 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether a node lies inside a shear layer and has no discontinuity: no jump of the layer's stiffness μ or of the beam's
-    /// shear stiffness S, no hinge, and no point force on the ground.
+    /// Whether a node lies inside a shear layer and has no hinge, no point force on the ground, and no jump of μ or of
+    /// the shear stiffness.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && !self.nodes[node].stepped
@@ -412,8 +410,8 @@ impl<S: Scalar> Frame<S> {
         forced && beside.into_iter().any(shears)
     }
 
-    /// Whether [`Frame::even`] is true for a node and the initial gap g₀ has no corner at the node. On a beam with shear
-    /// deformation, the node must also have no point force and no support.
+    /// Whether [`Frame::even`] is true and the initial gap has no corner at the node. With shear deformation, the node
+    /// must also have no point force and no support.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }

@@ -30,11 +30,11 @@ struct Places {
     gap: Vec<usize>,
 }
 
-/// Returns the model and the claimed deflection, divided into the pieces of the claimed solution. Lengths and forces
-/// are in the units of the proof, which are metres and newtons multiplied by powers of two.
+/// Returns the model and the claimed deflection, divided into the pieces of the claimed solution, in the units of the
+/// proof (m and N times powers of two).
 ///
-/// `stability` is σ, the fraction of the convexity of the energy that remains under compression. If it is `None`,
-/// a lower bound of σ is proven. The supports with the indices `placed` have nodes although they have no reaction.
+/// Under compression, `stability` is σ; if it is `None`, a lower bound of σ is proven. The supports `placed` have nodes
+/// although they have no reaction.
 pub(crate) fn frame<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
@@ -251,9 +251,8 @@ fn pieces_of(
     Ok(found)
 }
 
-/// A piece as a part of a segment. The position s on the segment is 0 at its left end and 1 at its right end. The
-/// piece extends between the two values `ends` of s, and `line` is s as a function of the local coordinate t of
-/// the piece.
+/// A piece as a part of a segment, where s runs from 0 to 1. The piece lies between the two `ends` of s, and `line` is
+/// s as a function of the local coordinate t.
 struct Part<S> {
     line: Line<S>,
     ends: [S; 2],
@@ -285,8 +284,8 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// Whether a load on the ground may act upward. The proof uses the total settlement as an upper bound of the settlement
-/// due to the contact pressure alone. Under an upward load, the total settlement may be smaller.
+/// Whether a load on the ground may act upward. The proof of (8) in docs/proof.md requires downward loads on the
+/// ground.
 fn lifts<S: Scalar>(load: &Load<S>) -> bool {
     let sizes = match load.extent {
         Extent::Point { size, .. } => [size; 2],

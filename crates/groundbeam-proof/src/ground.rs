@@ -1,15 +1,10 @@
 //! The ground surface ū, the concentrated contact forces of the shear layer, and the residual of the ground equation.
 //!
-//! In contact, ū = w̄ − g₀: the corrected deflection of the beam minus the initial gap. Out of contact, the equation of the
-//! shear layer is solved exactly. On a piece of length h with b = √(k/μ), z = bh and r = √(kμ), the force μu′ in the layer is
+//! In contact, ū is the corrected deflection minus the initial gap. Out of contact, the equation of the shear layer is
+//! solved exactly, by (4) of docs/proof.md.
 //!
-//! ```text
-//! at the left end: −(s₁(u_L − u_R) + s₂u_L),   at the right end: s₁(u_R − u_L) + s₂u_R,   s₁ = r/sinh z,   s₂ = r tanh(z/2).
-//! ```
-//!
-//! With the ground stiffness K₀ and K_l outside the beam, μu′ is K₀u at the left end and −K_lu at the right end. The decrease a
-//! of μu′ at a node in contact is a concentrated contact force. If a < 0, it is omitted, which leaves a residual of norm |a|√g.
-//! g = 1/(S₋ + S₊) is the flexibility of the layer, with its stiffness S₋ and S₊ on both sides of the node.
+//! The decrease of the shear-layer force μu′ at a node in contact is a concentrated contact force. A tensile force is
+//! omitted and becomes a residual. See *Ground* in section 3 of docs/proof.md.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -104,8 +99,8 @@ fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
     (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
 }
 
-/// The ground on one side of a node, condensed to it. It exerts the upward force Su − T on the node, with the settlement u of the
-/// node, the stiffness S in `stiffness`, and the force T of the loads on this ground in `pushed`.
+/// The ground on one side of a node, condensed to the node. With the settlement u of the node, it exerts the upward
+/// force `stiffness` · u − `pushed` on the node.
 #[derive(Clone, Copy)]
 pub(crate) struct Behind<S> {
     stiffness: S,
@@ -130,7 +125,7 @@ struct FreeField<S> {
 /// A piece out of contact. Its settlement is u = q/k + v, where q is the load on the ground and v is a solution of μv″ = kv.
 /// Varying k and μ are replaced by their minima.
 pub(crate) struct Link<S> {
-    /// Stiffnesses s₁ and s₂, which are defined at the top of this file.
+    /// Stiffnesses K₁ and K₂ of equation (4) in docs/proof.md.
     across: S,
     own: S,
     /// Free-field settlement q/k; zero without a load on the piece.
@@ -264,14 +259,15 @@ impl<'a, S: Scalar> Layer<'a, S> {
         self.first + self.links.len()
     }
 
-    /// Bounds √g on each piece, where g = 1/(S₋ + S₊) is the flexibility of the shear layer at x. S₋ and S₊ are the stiffnesses
-    /// of the layer to the left and to the right of x; on a piece with constant k and μ they are smallest at an end. Moreover, g
-    /// is at most 1/`least_stiffness`, the flexibility at an end of a layer with free ends and the smallest k and μ.
+    /// Bounds √g on each piece, where g is the settlement at x under a unit force at x. See *Ground* in section 3 of
+    /// docs/proof.md.
     fn flexibility(&self, surface: &mut Surface<S>) {
+        // The stiffness of the layer on one side of x is smallest at an end of the piece.
         let least = |side: usize, i: usize| {
             let [a, b] = [i, i + 1].map(|j| self.behind[side][j].stiffness.low());
             if a <= b { a } else { b }
         };
+        // The flexibility is at most that at an end of a layer with free ends and the smallest k and μ.
         let whole = self.least_stiffness();
         for i in 0..self.links.len() {
             let stiffness = (least(0, i) + least(1, i)).next_down();
@@ -378,8 +374,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Computes the ground displacement between two nodes in contact: condensation from the left, then back-substitution from
-    /// the right. Displacements are measured from the left node, which avoids cancellation on short pieces.
+    /// Computes the ground displacement between two nodes in contact, by condensation and back-substitution. To avoid
+    /// cancellation on short pieces, displacements are measured from the left node.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
         let start = self.held(from);
         let link = |piece: usize| self.links[piece - self.first].above(start);

@@ -142,12 +142,8 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(())
 }
 
-/// Computes the weighting factors by which the supports and the axial tension take part in the balance of residual
-/// forces, in the units of the proof. The proof is valid with any positive factors. The factor W of a rigid support is
-/// chosen as ten times the largest of four numbers: the sum of all loads, the sum of all claimed reactions, the largest
-/// EI|κ₀| with the imposed curvature κ₀, and the largest product of stiffness and settlement of a spring. With the
-/// length l of the beam, the factor of a clamp is Wl², and that of the tension is Wl. The factor of a spring is its
-/// stiffness times the largest deflection, but at most W, or Wl² for a rotational spring.
+/// Sets the weighting factors of supports and axial tension in the balance of residual forces, (6) of docs/proof.md.
+/// The proof is valid with any positive factors. The factors follow from the sizes of loads, reactions and settlements.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
     let mut moved = 0.0;
@@ -259,10 +255,8 @@ mod tests {
         assert_eq!(node.turning.map(Wide::middle), Some(0.875));
     }
 
-    /// The loads are a point force of 1, and a distributed force of ½ and a distributed moment of ¼ per unit length.
-    /// The beam is 1.5 long, so the magnitudes of all loads have the sum 2.125. The weighting factor of a rigid support
-    /// in the balance of residual forces is ten times this sum, or ten times the sum of the claimed reactions if that
-    /// is larger.
+    /// Checks the weighting factor of a rigid support: ten times the sum of the loads, 2.125, or of the claimed
+    /// reactions if that is larger.
     #[test]
     fn the_weights_follow_from_loads_and_reactions() {
         for (height, [force, moment], rigid) in

@@ -1,13 +1,8 @@
 //! Proves which one-way supports are active, and which are separated from the beam in the exact solution.
 //!
-//! Let δ be the settlement of a support. Let ς = 1 for a support that pushes up, and ς = −1 for a support that
-//! pulls down. A support without reaction must satisfy −ς(w − δ) > ε_w, where ε_w bounds |w̄ − w| and |w − w*|.
-//! Here w, w̄ and w* are the claimed, the corrected and the exact deflection. Then w̄ is admissible, and the exact
-//! reaction is zero.
-//!
-//! If a support does not satisfy this inequality, a node is added at its position. At this node, a rigid support
-//! has w̄ = δ and no reaction. A spring of stiffness κ has the reaction ςκ max(ς(w̄ − δ), 0). With this node, the
-//! bounds are valid whether the support is active or inactive.
+//! A support without reaction is inactive if its distance from the claimed deflection exceeds the error bound of the
+//! deflection. Otherwise a node is added at the support, and the bounds hold whether the support is active or inactive.
+//! See *One-way supports* in section 3 of docs/proof.md.
 
 use crate::frame::{Frame, Held};
 use crate::model::Acts;
@@ -24,8 +19,8 @@ pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<
     idle.filter(|(_, support)| !is_clear(frame, &within, support)).map(|(i, _)| i).collect()
 }
 
-/// Returns an error at the first one-way support whose state is not proven. The state is proven if the reaction
-/// exceeds its error bound, or if the beam is separated from the support in the exact solution.
+/// Returns an error at the first one-way support whose state is not proven. Either the reaction must exceed its error
+/// bound, or the exact solution must be separated from the support.
 pub(crate) fn decided<S: Scalar>(
     frame: &Frame<S>,
     bounds: &[PieceBounds],
@@ -48,8 +43,8 @@ pub(crate) fn too_close() -> NotProven {
     )
 }
 
-/// Returns an error at the first inactive support that the claimed deflection penetrates by more than the rounding
-/// error. Only the estimate of the error energy, which is made without a proof, uses this check.
+/// Returns an error at the first inactive support that the claimed deflection penetrates by more than rounding error.
+/// Only the estimate without proof uses it.
 pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven> {
     let sizes = frame.spans.iter().map(|span| Size::of(span.deflection.coefficient(0).size()));
     let rounding = ROUNDING * sizes.fold(Size::ZERO, Size::worst).value();
@@ -98,9 +93,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Builds the problem for four pieces of length 0.25 with the constant deflections `heights`, and passes it to
-    /// `of`. `supports` contains support tables of a model file, and `reactions` the reaction forces of these
-    /// supports.
+    /// Passes the problem for four pieces of length 0.25 with the deflections `heights` to `of`. `supports` contains
+    /// tables of a model file, and `reactions` the forces of these supports.
     fn with_frame(
         heights: [f64; 4],
         supports: &str,
@@ -123,8 +117,8 @@ mod tests {
         Held { x, acts, node: None, springs: None, settlement, claimed: [Wide::zero(); 2] }
     }
 
-    /// Checks supports with the settlement 2. A beam with the deflection w = 1 is clear of a support that pushes
-    /// up, but not of a support that pulls down. For a beam with w = 3, the opposite is true.
+    /// Checks supports with the settlement 2. The deflection 1 is clear of a support that pushes up, and the deflection
+    /// 3 of a support that pulls down.
     #[test]
     fn a_support_must_be_clear_of_every_piece_at_its_position() {
         let heights = [1.0, 3.0, 1.0, 3.0];
@@ -168,9 +162,8 @@ mod tests {
         )
     }
 
-    /// Checks whether two one-way supports without reaction are separated from a beam with the uniform deflection 1.
-    /// One support has the settlement 2 and can only push up. The other support has the settlement 0.5 and can only
-    /// pull down. Their distances from the beam are 1 and 0.5.
+    /// Checks two one-way supports without reaction beside a beam with the deflection 1. Their distances from the beam
+    /// are 1 and 0.5.
     #[test]
     fn supports_without_reactions_must_be_separated() {
         let both = "[[support]]\nat = 0.25\ntype = 'pinned'\nsettlement = 1\n";

@@ -1,8 +1,7 @@
 //! Proof of an answer: bounds of the distance of a claimed deflection, contact set and forces from the exact solution.
 //!
-//! The problem is a beam in unilateral contact with a Winkler or Pasternak foundation. The proof does not depend on the
-//! method that found the answer. It builds an admissible deflection and an exactly balanced pressure from the answer, and
-//! bounds the difference of their energies. `docs/proof.md` states the theorem.
+//! The model is a beam in unilateral contact with a Winkler or Pasternak foundation. The proof does not depend on the
+//! method that found the answer. `docs/proof.md` states the theorem.
 
 #![forbid(unsafe_code)]
 // The code writes `!(a <= b)` to refuse NaN; `a > b` would accept NaN.

@@ -98,9 +98,8 @@ pub(crate) struct Differences {
     pub failed: Option<NotProven>,
 }
 
-/// Compares the numbers that a document lists with the claimed solution and its proof. Field values at stations and
-/// hinges, extremes and lift-off gaps are compared with the claimed fields. Contact regions and contact forces are
-/// compared with the proven contact set. Also finds the positions of the exact extremes.
+/// Compares the numbers that a document lists with the claimed fields and with the proven contact set. Also bounds the
+/// positions of the exact extremes.
 pub(crate) fn differences<S: Scalar>(
     document: &Document,
     fields: &Fields<S>,
@@ -146,9 +145,8 @@ pub(crate) fn differences<S: Scalar>(
     found
 }
 
-/// Returns the intervals on which the pressure has no error bound \[m\]. On Winkler ground, there is no such interval. On
-/// a shear layer, the exact pressure jumps at an edge of contact, so the pressure has no error bound on an interval that
-/// contains an edge. If the contact set is not proven, the pressure has no error bound on the whole beam.
+/// Returns the intervals \[m\] on which the pressure has no error bound. On a shear layer, the exact pressure jumps at
+/// contact edges inside the beam.
 fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
     let (frame, length) = (fields.frame, proof.scales.length);
     if !frame.spans.iter().any(|span| span.layered) {
@@ -177,9 +175,8 @@ impl<S: Scalar> Comparison<'_, S> {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
-    /// Returns the index of the piece that contains a position, and the local coordinate t of the position on this piece,
-    /// computed from the stored ends of the piece. A node belongs to the piece on its right. The right end of the beam
-    /// belongs to the last piece.
+    /// Returns the index of the piece that contains a position, and the coordinate t of the position on this piece. A
+    /// node belongs to the piece on its right.
     fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
         if !(-near <= x && x <= self.length() + near) {
@@ -197,17 +194,16 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok((i, t))
     }
 
-    /// Returns the absolute difference between the value `listed` and the value of a field at a position, in the units of
-    /// the model. `field` is the index of the field. The position is given by a piece and the local coordinate t.
+    /// Returns the absolute difference between `listed` and the value of a field at the coordinate t of a piece, in the
+    /// units of the model.
     fn difference(&self, field: usize, listed: f64, (piece, t): (usize, S)) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let off = units.scaled(S::of(listed), force, length) - self.patches.value(field, piece, t);
         units.restored(off.size(), force, length)
     }
 
-    /// Compares field values that a document lists with those of the claimed solution at the same stations. Each
-    /// value of the claimed solution is taken immediately left of the station if `on_left`, otherwise immediately
-    /// right of it. At an end of the beam, it is taken inside the beam.
+    /// Compares listed field values with the claimed solution immediately left of each station if `on_left`, otherwise
+    /// immediately right of it.
     fn stations(
         &self,
         listed: &Stations,
@@ -244,10 +240,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Returns how far a listed pressure near a contact edge lies outside the interval from zero to p. p is the
-    /// largest of the claimed pressures on up to three pieces: on the given piece at the local coordinate t, and on
-    /// each neighbouring piece at its common node with the given piece, if this node lies in `edge`. The interval
-    /// `edge` contains the contact edge.
+    /// Returns the amount by which a pressure listed near a contact edge is below zero or above p. p is the largest
+    /// claimed pressure at t on the piece, and on its neighbours at common nodes inside `edge`.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -271,12 +265,8 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// Compares a listed extreme, here a maximum, with the field f of the claimed solution. Two amounts are bounded:
-    /// the difference between the listed maximum and f at the listed position, and the excess of the largest value of
-    /// f over the listed maximum. If f jumps at the listed position, the nearer value is used.
-    ///
-    /// The largest value of f is at least f at the listed position. So these two bounds together bound the error of
-    /// the listed maximum.
+    /// Compares a listed maximum with the claimed field: with its value at the listed position, and with its largest
+    /// value. The larger difference bounds the error of the listed maximum. A minimum is treated in the same way.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));
@@ -298,8 +288,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Compares the largest gap that a document lists for a lifted-off stretch with the gap of the claimed solution,
-    /// as `extreme` does. The stretch must end at listed contact edges or at ends of the beam.
+    /// Compares the largest gap that is listed for a lifted-off stretch with the claimed gap. The stretch must end at
+    /// listed contact edges or at ends of the beam.
     fn lift_off(
         &self,
         [from, to, x, value]: &[f64; 4],

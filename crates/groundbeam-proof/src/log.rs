@@ -1,8 +1,8 @@
 //! Writes the log of a proof: its inputs and its inequalities, with one JSON object in each line.
 //!
-//! An independent program can recompute the inequalities. Lengths and forces are scaled by powers of two. A double is
-//! written as the shortest decimal that is read back as the same double. A ball is an interval. It is written as the
-//! list of its midpoint, a correction of the midpoint, and its radius. `docs/verify.md` describes the lines.
+//! An independent program can recompute the inequalities. Lengths and forces are scaled by powers of two. A ball is
+//! written as the list of its midpoint, a correction of the midpoint, and its radius. `docs/verify.md` describes the
+//! lines.
 
 use crate::beside::Row;
 use crate::coefficient::Coefficient;
@@ -221,8 +221,8 @@ impl Log {
             .end();
     }
 
-    /// Writes one iteration of the proof of the contact set: the error bounds of slope, shear force and pressure on
-    /// each piece, and the error bounds of the contact edges that follow from them.
+    /// Writes one iteration of the proof of the contact set: the error bounds on each piece and those of the contact
+    /// edges.
     fn round(&mut self, round: &Round) {
         let bounds = |b: &PieceBounds| list([b.slope, b.shear_force, b.pressure].map(size));
         self.line("round", "5")

@@ -1,7 +1,7 @@
 //! The model: beam, ground, loads, supports, hinges and initial gap, as exact numbers or balls.
 //!
-//! All numbers are in one coherent system of units (m, N, rad and their products). Positions are measured from the
-//! beam's left end. Deflections, settlements and forces are positive down.
+//! The units are m, N, rad and their products. Positions are measured from the beam's left end. Deflections,
+//! settlements and forces are positive down.
 
 use crate::scalar::Scalar;
 
@@ -58,9 +58,8 @@ pub struct Ground<S> {
     pub spring: S,
     /// Stiffness μ \[N\] of the shear layer outside the segments, not negative.
     pub shear: S,
-    /// Segments of the ground with their own k and μ, under the beam and outside it. Segments may adjoin but must
-    /// not overlap. Outside the beam, a segment continues outward until the next segment begins. Between the beam's
-    /// end and the first segment outside the beam, k and μ have their values at the beam's end.
+    /// Segments of the ground with their own k and μ, which must not overlap. Outside the beam, the values of a segment
+    /// or of the beam's end hold outward up to the next segment.
     pub segments: Vec<GroundSegment<S>>,
     /// End conditions of the ground on the left and on the right.
     pub ends: [GroundEnd<S>; 2],
@@ -84,8 +83,7 @@ pub struct GroundSegment<S> {
 pub enum Course<S> {
     /// The quantity has this constant value along the stretch.
     Constant(S),
-    /// The quantity is the polynomial with these Bernstein coefficients, from the left end of the stretch to the
-    /// right end. The list has at least two coefficients; two coefficients make the quantity linear.
+    /// Bernstein coefficients of the polynomial, from the left end of the stretch to the right end; at least two.
     Varying(Vec<S>),
 }
 

@@ -1,20 +1,18 @@
 //! Stiffness and load of the ground outside the beam, condensed to the beam's end.
 //!
-//! The ground outside the beam consists of stretches with constant k and μ. They are condensed one by one, from the
-//! outermost stretch inward. S is the stiffness of all ground beyond a stretch, and S⁺ is the stiffness at the end of
-//! the stretch nearer to the beam. For a stretch of length h, with K = √(kμ), z = h√(k/μ) and t = tanh z, S⁺ = K(S +
-//! Kt)/(K + St). The outermost stretch has S⁺ = K if it is infinite, and S⁺ = K/t if the surface is held at its outer
-//! end. S = 0 at a free end of the shear layer and where the layer meets Winkler ground.
+//! Stretches with constant k and μ are condensed one by one, from the outermost stretch inward. With the settlement u,
+//! the force in the shear layer is S u − T at the outer end of a stretch and S⁺u − T⁺ at its inner end. For a stretch
+//! of length h, S⁺ = K(S + Kt)/(K + St), with K = √(kμ), t = tanh z and z = h√(k/μ). S⁺ = K if the stretch is infinite,
+//! and S⁺ = K/t if its outer end is held. S = 0 at a free end of the shear layer and where the layer meets Winkler
+//! ground.
 //!
-//! With loads on the ground and the settlement u, the force in the shear layer is S u − T at the outer end of a
-//! stretch and S⁺u − T⁺ at its inner end. The distributed load is q_f at the outer end and q_n at the inner end, with
-//! the slope q′ = (q_n − q_f)/h. The load term at the inner end is
+//! The distributed load is q_f at the outer end and q_n at the inner end, with the slope q′ = (q_n − q_f)/h. Then
 //!
 //! ```text
 //! T⁺ = (T + μq′/k − S q_f/k) K/(K cosh z + S sinh z) + S⁺q_n/k − μq′/k,   T⁺ = S⁺q_n/k − μq′/k − (q_f/k)K/sinh z if held.
 //! ```
 //!
-//! A point force Q on the ground is added to T at the position of the force.
+//! A point force on the ground is added to T at its position.
 
 use crate::beside::{LoadedStretch, Row};
 use crate::frame::Frame;
@@ -25,9 +23,8 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::values::{constant, not_negative, positive};
 
-/// Stores in `frame` the ground outside each end of the beam, with its stiffness K and its load term T. With the
-/// settlement u of the beam's end, the shear layer transmits the force K u − T there. K and T are exactly zero if the
-/// layer ends at the beam's end.
+/// Stores in `frame` the ground outside each end of the beam, its stiffness K and its load term T. With the settlement
+/// u of the beam's end, the shear layer transmits the force K u − T there.
 pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Result<(), NotProven> {
     for side in [0, 1] {
         let span = if side == 0 { &frame.spans[0] } else { &frame.spans[frame.spans.len() - 1] };
@@ -78,9 +75,8 @@ impl<S: Scalar> Beside<'_, S> {
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
         let end = [S::zero(), self.length][self.side];
-        // A position at the beam's end gets the distance +0, because sorting by distance would place −0 before +0. In a
-        // number type without error bounds, a position within rounding error of the beam's end also gets the distance
-        // +0.
+        // A position at the beam's end has the distance +0, because sorting places −0 before +0. In plain doubles, a
+        // position within rounding error of the end also has the distance +0.
         match self.side {
             _ if at == end || !S::ENCLOSES && is_near(at, end, self.length) => S::zero(),
             0 => -at,
@@ -296,8 +292,8 @@ mod tests {
         Load { action: Action::Force, extent, on_ground: true }
     }
 
-    /// Returns a model of a beam from x = 0 to x = 2. On both sides of the beam, the ground carries loads, and k and
-    /// μ jump. One ground segment begins at x = −0.7, to the left of the beam, and ends at x = `to`.
+    /// Returns a model of a beam from x = 0 to x = 2, with loads on the ground and jumps of k and μ on both sides. One
+    /// ground segment ends at `to`.
     fn model(ends: [GroundEnd<f64>; 2], to: f64) -> Model<f64> {
         let segments = vec![
             segment(-0.7, to, 1.9, 0.6),
@@ -330,9 +326,8 @@ mod tests {
         }
     }
 
-    /// Computes the stiffness K and the load term T of the ground beyond an end of the beam, by linear finite
-    /// elements for −(μu′)′ + ku = q. At this end, the shear layer transmits the force Ku − T, where u is the
-    /// settlement of the end. At the distance `far` from the beam, the ground ends and is held or free.
+    /// Computes the stiffness K and the load term T of the ground beyond an end of the beam by linear finite elements
+    /// for −(μu′)′ + ku = q. The ground ends at the distance `far` from the beam.
     fn by_elements(model: &Model<f64>, side: usize, far: f64, held: bool) -> [f64; 2] {
         let h = 1.0 / 4000.0;
         let count = (far / h).round() as usize;

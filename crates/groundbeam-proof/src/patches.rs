@@ -1,9 +1,7 @@
 //! The fields of a claimed solution as polynomials on short stretches, for comparison with the numbers in a document.
 //!
-//! Each piece of the beam is divided into stretches. t is the coordinate on a piece, and m is the middle of a stretch.
-//! On the stretch every field is a polynomial of s = t − m. The settlement of a shear layer out of contact is a sum of
-//! exponentials. It is replaced by its Taylor polynomial about m. The constant coefficient is a ball, whose radius
-//! includes the remainder of the Taylor series.
+//! On each stretch, every field is a polynomial in the distance from the middle of the stretch. The settlement of a
+//! shear layer out of contact is a Taylor polynomial. The radius of its constant coefficient includes the remainder.
 
 use crate::fields::Fields;
 use crate::frame::Span;
@@ -34,10 +32,10 @@ pub(crate) fn field_named(name: &str) -> Option<usize> {
     FIELDS.iter().position(|(known, ..)| *known == name)
 }
 
-/// Maximum number of stretches on one piece out of contact. The maximum is lower if the stretches of all pieces could
-/// exceed `MOST_OF_ALL`, but it is at least 1. If a fast decay of the settlement requires more stretches, the
-/// remainder of the Taylor series is large and nothing is proven.
+/// Maximum number of stretches on one piece out of contact. If a fast decay of the settlement needs more, the remainder
+/// of the Taylor series is large and nothing is proven.
 const MOST: usize = 2000;
+/// Maximum number of stretches out of contact on the whole beam. Each piece has at least one.
 const MOST_OF_ALL: usize = 20_000;
 /// Maximum length of a stretch out of contact, in decay lengths √(μ/k).
 const LONGEST: f64 = 4.0;
@@ -115,8 +113,8 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     (0..=last).map(on_stretch).collect()
 }
 
-/// Returns the number of stretches into which a piece out of contact is divided. `length` is the length of the piece
-/// in decay lengths, and `pieces` is the number of all pieces of the beam.
+/// Returns the number of stretches of a piece out of contact. `length` is its length in decay lengths, and `pieces` is
+/// the number of pieces of the beam.
 fn stretches(length: f64, pieces: usize) -> f64 {
     let count = (length / LONGEST).ceil();
     let most = (MOST_OF_ALL / pieces).clamp(1, MOST) as f64;
@@ -150,8 +148,8 @@ fn patch<S: Scalar>(
     Patch { middle, interval, fields }
 }
 
-/// The settlement v of the ground below a piece out of contact, relative to the free-field settlement. k and μ are
-/// constant, so μv″ = kv. The values of v at both ends of the piece are given.
+/// Settlement v of the ground below a piece out of contact, minus the free-field settlement. k and μ are constant, so
+/// μv″ = kv.
 struct Surface<'a, S> {
     span: &'a Span<S>,
     ends: [S; 2],
@@ -167,12 +165,8 @@ impl<'a, S: Scalar> Surface<'a, S> {
         Surface { span, ends, rate, decay: rate * span.half }
     }
 
-    /// The Taylor polynomial about m of the settlement v, valid for |t − m| ≤ r.
-    ///
-    /// Let b = √(k/μ), let L be the length of the piece, and let v_L and v_R be the settlements of its left and right
-    /// end. With the distances d and e of m from the left and from the right end, sinh(bL) v = v_R sinh(bd) + v_L
-    /// sinh(be). The slope satisfies sinh(bL) v′ = b v_R cosh(bd) − b v_L cosh(be). |v| is largest at an end. So the
-    /// remainder after n terms is at most max(|v_L|, |v_R|)(qr)ⁿ/n!, where q is the decay rate with respect to t.
+    /// The Taylor polynomial of the settlement v about t = m, for |t − m| ≤ r. The radius of the constant coefficient
+    /// includes the bound max|v|(qr)ⁿ/n! of the remainder, with the decay rate q and the number n of terms.
     fn taylor(&self, m: f64, r: f64) -> Polynomial<S> {
         let span = self.span;
         let at = span.middle + span.half * S::of(m);
@@ -192,6 +186,7 @@ impl<'a, S: Scalar> Surface<'a, S> {
             coefficients.push(terms[n % 2] * power);
             power = (power * self.decay).div(S::of((n + 1) as f64));
         }
+        // |v| is largest at an end. `TERMS` is even, so the derivative of this order is a multiple of v.
         terms = self.ends;
         let largest = Size::of(terms[0].size()).worst(Size::of(terms[1].size()));
         let mut reach = Size::of(power.size());
@@ -217,8 +212,8 @@ mod tests {
         assert!(low <= 0.0 && 0.0 <= high && high - low <= width, "{what}: {low:e} {high:e}");
     }
 
-    /// Checks the Taylor polynomial of v = (3 sinh(b(1 − x)) + 2 sinh(bx))/sinh(b). It must contain the values of v at
-    /// other positions, and its radius must be at most twice the bound of the remainder.
+    /// The Taylor polynomial of v = (3 sinh(b(1 − x)) + 2 sinh(bx))/sinh(b) must contain v at other positions. Its
+    /// radius must be at most twice the bound of the remainder.
     #[test]
     fn the_taylor_polynomial_of_open_ground_contains_it() {
         for b in [0.5_f64, 2.0, 32.0] {
@@ -267,9 +262,8 @@ mod tests {
         }
     }
 
-    /// Checks that the stretches of a piece cover the piece, and that the intervals computed from the settlement
-    /// polynomials contain the exact settlement of loaded ground. The polynomials are evaluated at the ends and in
-    /// the middle of each stretch, and by `Patches::value` at equidistant positions of the piece.
+    /// Checks that the stretches cover the piece, and that their settlement polynomials contain the exact settlement of
+    /// loaded ground.
     #[test]
     fn all_stretches_contain_the_surface_of_loaded_ground() {
         for (b, count) in [(1.0_f64, 1), (31.0, 8)] {

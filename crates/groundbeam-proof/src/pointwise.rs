@@ -74,9 +74,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (2.0 * self.energy).root()
     }
 
-    /// Bound of the strain energy of the error in beam and springs. Without compression it is the bound E of the total
-    /// error energy. Under compression it is E/σ, where 1 − σ bounds the ratio of the compression to the critical
-    /// compression.
+    /// Bound of the strain energy of the error in beam and springs: E without compression, E/σ under compression. 1 − σ
+    /// bounds the ratio of the compression to the critical compression.
     pub(crate) fn beam_energy(&self) -> Size {
         match &self.fields.frame.compression {
             None => self.energy,
@@ -84,16 +83,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Bound of the error |u − u*| of the claimed settlement u, where u* is the exact settlement.
-    ///
-    /// On ground with a shear layer, the proof replaces u by a settlement ū for which the beam does not penetrate the
-    /// ground. |ū − u*| is at most √(2E g), where E bounds the error energy, and g is the settlement at a point under
-    /// a unit force at this point. The bound of |ū − u| is added.
-    ///
-    /// On Winkler ground, u* = max(w* − g₀, q/k), where w* is the exact deflection, g₀ the initial gap, and q the
-    /// load on the ground. So the bound of |u − u*| is the error bound of the deflection plus a supplement. On a
-    /// piece in contact, the supplement is the largest tensile pressure divided by k. Out of contact, it is the
-    /// largest depth by which the beam penetrates the ground.
+    /// Error bound of the settlement on one piece. See *Settlement* in section 4 of `docs/proof.md`.
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
@@ -102,23 +92,12 @@ impl<S: Scalar> Pointwise<'_, S> {
             return energy
                 + if span.touches { fields.deflection.pieces[i].bounds[0] } else { raised };
         }
+        // On Winkler ground the settlement is max(w − g₀, q/k), so its error is at most that of w plus a correction.
         let sunk = fields.pressures[i].depth.over(span.spring.low());
         deflection + if span.touches { sunk } else { raised }
     }
 
-    /// Bounds the error of the bending moment on each piece: |M − M*| ≤ √(2E) K + |δ|, with the claimed moment M and
-    /// the exact moment M*.
-    ///
-    /// E bounds the error energy. M + δ is a moment in exact equilibrium with the loads. K² is the energy of a test
-    /// function z:
-    ///
-    /// ```text
-    /// K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
-    /// ```
-    ///
-    /// P is the tension. K₀ and K_l are the stiffnesses of the ground beyond the left and the right end of the beam,
-    /// and κ and κ_θ are those of translational and rotational springs. For the moment at x, z may be any function with
-    /// a unit jump of slope at x, z = 0 at rigid supports and z′ = 0 at clamps.
+    /// Bounds the error of the bending moment on each piece. See *Moment* in section 4 of `docs/proof.md`.
     fn moments(&self, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let mut stiffness = vec![Size::INFINITE; frame.spans.len()];
@@ -148,20 +127,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (0..nodes.len()).filter(stops).collect()
     }
 
-    /// Bound ε_p of the pressure error |p − p*| where the claimed and the exact solution are both in contact.
-    ///
-    /// ε_u, ε_θ and ε_κ bound the errors of settlement, slope and curvature. On Winkler ground ε_p = kε_u. On a
-    /// shear layer ε_p = kε_u + |μ′|ε_θ + με_κ.
-    ///
-    /// On a beam with the shear stiffness S, the distributed load f and the tension P, the deflection w satisfies
-    /// w″(1 + P/S) = φ′ + (p − f + r + η′)/S. φ is the rotation, r the residual of the transverse equilibrium, and
-    /// η = S(w′ − φ) − V the misfit of the shear force V. If ε_κ bounds the error of φ′, the bound on a shear layer is
-    ///
-    /// ```text
-    /// ε_p = {kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S]}/(1 + μ/(S + P)).
-    /// ```
-    ///
-    /// On pieces out of contact, the expression in braces bounds the error of μC″, where C is the clearance.
+    /// Error bound of the pressure where the claimed and the exact solution are both in contact. See section 5 of
+    /// `docs/proof.md`. Out of contact, it bounds the error of (μC′)′ with the clearance C.
     pub(crate) fn pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let bent = bounds.moment.over(span.bending.low());
@@ -183,19 +150,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         sheared_pressure([stiffness, axial, shear], [settled, bent, load], span.touches)
     }
 
-    /// Sets the error bounds of deflection and rotation on a part of the beam between hinges.
-    ///
-    /// w is the claimed deflection, c the correction that makes w + c kinematically admissible, and e the error of
-    /// w + c. So the error of w is at most sup|e| + max|c|. ε_κ = ε_M/EI bounds the error of the curvature, where ε_M
-    /// bounds the error of the moment. [`Self::flexure`] computes s and s_γ: s bounds the L² norm of the derivative
-    /// of the rotation error, and s_γ bounds the L² norm of the shear strain error. For lengths h up to the length of
-    /// the part, the error of the rotation is at most
-    ///
-    /// ```text
-    /// min_h {2 sup|e|/h + s_γ/√h + min(½h max(ε_κ + |c″|), s√(h/3))} + max|c′|.
-    /// ```
-    ///
-    /// Where the beam has no shear deformation, this is also the bound of the slope.
+    /// Sets the error bounds of deflection and rotation on a part of the beam between hinges. `error` bounds the error
+    /// of the admissible deflection. See *Slope* in section 4 of `docs/proof.md`.
     fn on_part(&self, part: &Range<usize>, error: Size, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let closed = &self.fields.deflection.pieces;
@@ -228,10 +184,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Computes an error bound for a beam with shear deformation. In contact, it bounds the error of the pressure. Out of
-/// contact, it bounds the error of μC″, where C is the clearance. `settled` bounds the error of ku, and `bent` bounds
-/// the error of φ′, the derivative of the rotation. `load` bounds |r| + |η′|, where r is the residual of the
-/// transverse equilibrium, and η = S(w′ − φ) − V is the misfit of the claimed shear force V.
+/// Error bound of the pressure of a Timoshenko beam in contact by (14a) of `docs/proof.md`. Out of contact, it bounds
+/// the error of μC″. `settled`, `bent` and `load` bound the errors of ku and φ′ and the sum |r| + |η_S′|.
 fn sheared_pressure<S: Scalar>(
     [stiffness, axial, shear]: [S; 3],
     [settled, bent, load]: [Size; 3],
@@ -254,9 +208,7 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Checks the error bound of the pressure in contact, and that of μC″ out of contact, where C is the clearance.
-    /// Each bound must hold for random errors of ku and of φ′, the derivative of the rotation, and for random
-    /// residuals of the transverse equilibrium. One choice of their signs must attain the bound.
+    /// Checks that the bound holds for random errors and residuals, and that one choice of their signs attains it.
     #[test]
     fn the_pressure_bound_of_a_timoshenko_beam_is_sharp() {
         let mut random = numbers();
@@ -267,15 +219,14 @@ mod tests {
             for touches in [true, false] {
                 for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0]] {
                     let [u, bent, r] = [settled * signs[0], turned * signs[1], load * signs[2]];
-                    // Let w, φ, p, v and C be the errors of deflection, rotation, pressure, settlement and clearance.
-                    // They satisfy (S + P)w″ = Sφ′ + p + r. S is the shear stiffness of the beam, P the axial
-                    // tension, and r the residual of the transverse equilibrium. In contact, p = kv − μw″. Out of
-                    // contact, p = 0 and μC″ = kv − μw″. The variable `u` is kv, and `bent` is φ′.
+                    // The errors of deflection w, rotation φ and pressure p satisfy (S + P)w″ = Sφ′ + p + r, with the
+                    // residual r.
                     let whole = stiffness + axial;
                     let curved = match touches {
                         true => (stiffness * bent + u + r) / (whole + shear),
                         false => (stiffness * bent + r) / whole,
                     };
+                    // The error of p in contact, and that of μC″ out of contact, with the clearance C.
                     let error = u - shear * curved;
                     let bound = sheared_pressure(
                         [stiffness, axial, shear].map(Ball::of),

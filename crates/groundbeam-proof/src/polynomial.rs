@@ -224,16 +224,8 @@ impl Below {
     pub const NOWHERE: Below = Below { depth: Size::ZERO, width: Size::ZERO };
 }
 
-/// Bounds the negative part of q = `p` − `less` on an interval: how far q falls below zero, and the length on which q
-/// is negative.
-///
-/// On an interval with the half-width r, q is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, where cⱼ are its coefficients about the
-/// middle of the interval. If the derivative has one sign with |q′| ≥ σ > 0, the smallest value v of q is at an end,
-/// and q is negative on a length of at most −v/σ. Otherwise the interval is halved.
-///
-/// An interval is not halved if q at its middle is nearly as low as the bound, if the bound lies below zero by a
-/// negligible amount, or if no halvings remain. Then the bound is accepted, and q counts as negative on the whole
-/// interval.
+/// Bounds the negative part of q = `p` − `less` on an interval: its depth, and the length on which q is negative.
+/// Intervals are halved until q is positive or strictly monotone, or until the bound of the depth is accepted.
 pub(crate) fn below<C: Scalar>(
     p: &Polynomial<C>,
     less: Size,
@@ -293,14 +285,15 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // `depth` bounds how far the function falls below zero on this interval. The interval is not halved if `depth`
-        // is negligible, or at most the rounding error plus 1.25 times the depth at the middle of the interval.
+        // The interval is not halved if `depth` is negligible, or at most the rounding error plus 1.25 times the depth
+        // at the middle.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;
         if !enough && a < m && m < b && budget.take() {
             open.extend([[a, m], [m, b]]);
         } else {
+            // The function counts as negative on the whole interval.
             found.depth = found.depth.worst(depth);
             found.width += Size::of((b - a).next_up());
         }
@@ -374,8 +367,8 @@ mod tests {
         assert_eq!(taken(&mut budget), 2000);
     }
 
-    /// Let p = s + 4s², with s = 1 + t/τ or s = 1 − t/τ. On |t| ≤ τ, s lies between 0 and 2, and p increases with s.
-    /// So p is smaller than its value at s = s₀ exactly for s < s₀. In t, this interval has the length τs₀.
+    /// The function s + 4s² with s = 1 ± t/τ increases with s on |t| ≤ τ. So it is smaller than its value at s₀ on a
+    /// length τs₀.
     #[test]
     fn the_negative_part_of_a_monotone_function_is_found_by_bisection() {
         for (sign, tau) in [(1.0, 1.0), (-1.0, 1.0), (1.0, 1e-10), (-1.0, 1e-10)] {

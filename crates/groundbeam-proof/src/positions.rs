@@ -12,9 +12,8 @@ const APART: f64 = 32.0 * f64::EPSILON;
 /// Minimum length of a piece, as a fraction of the beam's length.
 const SHORTEST: f64 = 1e-20;
 
-/// The nodes, which are the ends of the pieces of the claimed solution. The claimed solution stores the position of
-/// each node as a double. Where this double is the rounded value of a position in the model, `given` has the exact
-/// position.
+/// The nodes, which are the ends of the pieces of the claimed solution. `given` holds the exact position of each node
+/// that is at a position of the model.
 #[derive(Debug)]
 pub(crate) struct Positions<S> {
     /// Stored positions of the nodes, in the scaled unit of length.
@@ -74,9 +73,8 @@ impl<S: Scalar> Positions<S> {
         is_near(at, self.stored[node], self.length)
     }
 
-    /// Finds the node at a position of the model. From then on, the node has this exact position. If the numbers do
-    /// not enclose their rounding error, positions that differ only by rounding error share a node, which has the
-    /// first of these positions.
+    /// Returns the node at a position of the model, and gives the node this exact position. In plain doubles, positions
+    /// that differ by rounding error share a node, which keeps the first of these positions.
     pub fn find(&mut self, at: S) -> Result<usize, NotProven> {
         let node = self.nearest(at);
         let place = self.units.restored(at.middle(), 0, 1);

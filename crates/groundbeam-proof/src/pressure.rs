@@ -71,9 +71,8 @@ pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         .sum()
 }
 
-/// Upper bound of the energy norm of the ground's displacement due to the tensile pressure: the sum of η(ω/k)^½ over
-/// the pieces. η is the largest tensile pressure on a piece, and ω bounds the length on which the pressure is
-/// tensile.
+/// Upper bound of the energy norm of the ground's displacement under the tensile pressure: the sum of η(ω/k)^½ over the
+/// pieces, with η = `depth` and ω = `width`.
 pub(crate) fn tension_norm<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
     let pieces = frame.spans.iter().zip(pressures);
     pieces.map(|(span, p)| p.depth * p.width.over(span.spring.low()).root()).sum()

@@ -31,8 +31,8 @@ pub struct Proof {
     pub bounds: Bounds,
     /// Error bounds of the reactions, for each support of the model.
     pub reactions: Vec<ReactionBound>,
-    /// The exact contact set, with an interval for every contact edge and every concentrated contact force. If the
-    /// contact set is not proven, the error states the reason. All other bounds hold in either case.
+    /// The exact contact set, with an interval for every contact edge and concentrated force, or the reason why it is
+    /// not proven. All other bounds hold in either case.
     pub contact: Result<ContactSet, NotProven>,
     /// `Ok` if the solution is unique.
     pub unique: Result<(), NotProven>,
@@ -47,7 +47,7 @@ impl Proof {
     /// The first reason why the claimed solution is not proven; `None` if it is proven.
     ///
     /// A claimed solution is proven if an exact solution exists and is unique, if the contact set and the active
-    /// supports are proven, and if the error bound of every quantity is at most 10⁻⁶ of the scale of this quantity.
+    /// supports are proven, and if every error bound is at most 10⁻⁶ of its scale.
     pub fn shortfall(&self) -> Option<NotProven> {
         if !(self.bounds.deflection.error < f64::INFINITY) {
             return Some(NotProven::new(
@@ -195,9 +195,8 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.settlement += match &fields.surface.pieces[i].along {
                 Some(along) => (*stored - along).size(span.tau),
                 None if span.touches => (*stored - &span.obstacle()).size(span.tau),
-                // The difference y between the stored and the computed settlement satisfies ky − (μy′)′ = ρ, where ρ
-                // is the residual of the stored settlement. By the maximum principle, |y| is at most max|ρ|/k plus
-                // the larger |y| at the two ends of the piece.
+                // The difference y of stored and computed settlement satisfies ky − (μy′)′ = ρ, with the residual ρ. By
+                // the maximum principle, |y| is at most max|ρ|/k plus the larger |y| at both ends.
                 None => {
                     let missed = span.missed_by(stored).size(span.tau);
                     off_the_ends(span.t.map(|t| stored.value(t))) + missed.over(span.spring.low())
@@ -225,9 +224,8 @@ fn bound<S>(frame: &Frame<S>, error: Size, scale: f64, force: i32, length: i32) 
     Bound { error: restored(error.value()), scale: restored(scale) }
 }
 
-/// Largest error bound of each field over all pieces, in the units of the model. On ground with a shear layer, the
-/// error of the pressure is bounded only where both the claimed and the exact solution are in contact. So the bound of
-/// the pressure is infinite if the contact set is not proven.
+/// Largest error bound of each field over all pieces, in the units of the model. On a shear layer, the pressure has no
+/// bound if the contact set is not proven.
 fn largest<S: Scalar>(
     frame: &Frame<S>,
     pieces: &[PieceBounds],
@@ -300,8 +298,8 @@ mod tests {
         }
     }
 
-    /// The largest permitted error is 10⁻⁶ times the scale of the quantity: 1e-6 for fields and reactions, whose scale
-    /// is 1 here, 2e-6 for edges with the scale 2, and 8e-6 for concentrated forces with the scale 8.
+    /// Each error of a proven solution is at most 10⁻⁶ of its scale. Here the scale is 1 for fields and reactions, 2
+    /// for edges, and 8 for concentrated forces.
     #[test]
     fn every_error_of_a_proven_answer_is_small() {
         let set = |proof: &mut Proof, change: fn(&mut ContactSet, f64), width: f64| {
@@ -354,10 +352,8 @@ mod tests {
         }
     }
 
-    /// Winkler ground with k = 2 that is out of contact settles by u = ½ under a distributed load of 1. If the
-    /// claimed solution stores other end values `open` of u, their largest difference from ½ is added to the error
-    /// bound. A constant `settlement` adds its difference from ½ twice: once at the ends, and once as a residual of
-    /// the ground equation.
+    /// Winkler ground with k = 2 settles by ½ under the load 1. Stored end values `open` add their largest difference
+    /// from ½ to the error bound. A constant `settlement` adds its difference twice: at the ends and as a residual.
     #[test]
     fn a_stored_surface_of_open_springs_adds_its_error() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 0\n\

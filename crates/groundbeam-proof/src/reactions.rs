@@ -1,16 +1,8 @@
 //! Bounds of the errors of the reactions of supports.
 //!
-//! E bounds the error energy. K² is the energy of a test function z, as in `test_functions.rs`. w is the claimed
-//! deflection, w* the exact deflection, and c the correction that makes w + c kinematically admissible. The proof
-//! balances residual forces: it changes the contact pressure p by λp, the force of a rigid support by λW, and the
-//! moment of a clamp by λ′W_θ. The factor λ is a function of the position with the slope λ′, and W and W_θ are
-//! weights of the supports.
-//!
-//! * The force of a spring with the stiffness κ has an error of at most κ|w − w*|, and also of at most √(2Eκ) + κ|c|.
-//! * The force of a rigid support has an error of at most √(2E) K + W|λ|. The test function z is 1 at this support
-//!   and 0 at all other rigid supports.
-//! * The moment of a clamp has an error of at most √(2E) K + W_θ|λ′|. The slope z′ of the test function is 1 at the
-//!   clamp.
+//! The error of a spring force follows from the error of the deflection or from the error energy. The error of a rigid
+//! support's force or moment follows from the energy of a test function. See *Reactions* in section 6 of
+//! `docs/proof.md`.
 
 use crate::frame::Held;
 use crate::model::Acts;
@@ -38,13 +30,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         frame.supports.iter().map(of).collect()
     }
 
-    /// Error bounds of the force and of the moment of a support with a translational spring κ and a rotational spring
-    /// κ_θ.
-    ///
-    /// ε_w bounds the error of the claimed deflection w, E bounds the error energy, and c is the correction that makes
-    /// w + c kinematically admissible. δ is the settlement of the support. The bound of the force is min(κε_w, √(2Eκ) +
-    /// κ|c|) plus the difference between the claimed reaction and κ(w − δ). The bound of the moment is analogous, with
-    /// κ_θ and the rotation.
+    /// Error bounds of the force and the moment of a support with a translational and a rotational spring. The bounds
+    /// include the difference between the claimed reaction and the reaction at the claimed deflection.
     fn of_springs(
         &self,
         held: &Held<S>,
@@ -53,8 +40,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         bounds: &[PieceBounds],
     ) -> [Size; 2] {
         let [w, slope] = self.fields.deflection.at_support(node);
-        // The spring forces follow from the deflection and rotation of one adjacent piece, so the error bounds of
-        // this piece are used. At a hinge, the other adjacent piece can have different bounds.
+        // The spring forces follow from deflection and rotation of one adjacent piece. At a hinge, the other piece can
+        // have different bounds.
         let [piece, _] = self.fields.deflection.felt[node];
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];
@@ -121,8 +108,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (next, false)
     }
 
-    /// Returns data of the beam between `node` and `next`: the largest values of EI, P + μ and k; the length; and the
-    /// sums of the translational and of the rotational spring stiffnesses, without the springs at `node`.
+    /// Returns the largest EI, P + μ and k between `node` and `next`, the length, and the sums of the translational and
+    /// of the rotational spring stiffnesses, without the springs at `node`.
     fn beside(&self, node: usize, next: usize) -> ([Size; 3], S, [Size; 2]) {
         let frame = self.fields.frame;
         let (from, to) = if next < node { (next, node) } else { (node, next) };
@@ -135,11 +122,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
     }
 
-    /// The contribution of one side of a rigid support to the energy K² of a test function z. It is the smaller of two
-    /// bounds. In the first bound, z decreases from 1 to 0 before the next rigid support. The second bound applies only
-    /// if no rigid support lies on this side. Then z = 1 up to the end of the beam at the distance L, and K² is the sum
-    /// of kL, of the stiffness of the ground beyond this end, and of the stiffnesses of the translational springs on
-    /// this side.
+    /// The smaller energy of two test functions on one side of a rigid support. One decreases from 1 to 0 before the
+    /// next rigid support. The other is 1 up to the end of the beam, if no rigid support follows.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], available, [springs, turning]) = self.beside(node, next);
@@ -165,8 +149,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink(largest, springs, available.low())
     }
 
-    /// The energy K² of the linear test function that is 1 at a rigid support and 0 at the only other rigid support.
-    /// The result is infinite if the beam does not have exactly two rigid supports, or if one of them is a clamp.
+    /// The energy of the linear test function that is 1 at a rigid support and 0 at the other one. It is infinite
+    /// unless the beam has exactly two rigid supports and no clamp.
     fn tilted(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
         let rigid: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].rigid.is_some()).collect();
@@ -212,11 +196,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Returns the smallest bound of the energy K² of the test function z = 1 − 3τ² + 2τ³ over its lengths h up to
-/// `available`. Here τ = t/h, and t is the distance from a support.
-///
-/// For one length h, the bound is 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σκ + Σκ_θ(3/(2h))². P is the axial tension, and
-/// κ and κ_θ are the stiffnesses of the translational and of the rotational springs.
+/// Returns the least bound of the energy of the test function z = 1 − 3τ² + 2τ³ over lengths h up to `available`, with
+/// τ = t/h at the distance t from a support. At springs, z is at most 1 and |z′| at most 3/(2h).
 fn lift(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -269,11 +250,8 @@ mod tests {
         }
     }
 
-    /// At the deflection w = ½ and the rotation w′ = ⅛, a support with the springs κ = 4 and κ_θ = 8 has the force κw
-    /// = 2 and the moment −κ_θw′ = −1. ε_w and ε_φ bound the errors of deflection and rotation, and E bounds the
-    /// error energy. The error bound of the force is the smaller of κε_w and (2Eκ)^½. The error bound of the moment
-    /// is the smaller of κ_θε_φ and (2Eκ_θ)^½. The differences of the claimed force from 2 and of the claimed moment
-    /// from −1 are added to these bounds.
+    /// At w = ½ and w′ = ⅛, the springs κ = 4 and κ_θ = 8 have the force 2 and the moment −1. The error bound is the
+    /// smaller of stiffness times error and (2E times stiffness)^½, plus the deviation of the claimed value.
     #[test]
     fn the_error_of_a_spring_follows_from_the_deflection_or_from_the_energy() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n\
@@ -299,9 +277,8 @@ mod tests {
         }
     }
 
-    /// The moment of the only clamp of a stiff beam is bounded by means of the test function z = x − x_i, a rotation
-    /// of the whole beam about the clamp at x_i. The energy of z is at most K² = kl³: the largest value kl² of
-    /// k(x − x_i)², times the length l.
+    /// The moment of the only clamp of a stiff beam is tested by a rotation of the beam about the clamp. The energy of
+    /// this test function is at most kl³.
     #[test]
     fn the_moment_of_a_single_clamp_is_tested_by_a_rotation_about_it() {
         for at in [0.0, 1.5] {

@@ -1,17 +1,7 @@
 //! The residual of equilibrium (3.12) of the claimed deflection and pressures, on pieces and at nodes.
 //!
-//! M = −EI(φ′ − κ₀) is the bending moment, with the rotation φ of the cross-sections and the imposed curvature κ₀.
-//! V = M′ − g is the shear force, with the distributed moment load g on the beam. T = V + Pw′ is the transverse force,
-//! with the axial tension P and the slope w′ of the beam. The residuals are
-//!
-//! ```text
-//! r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
-//! ```
-//!
-//! f is the distributed load on the beam, and p the contact pressure. F_i and M₀_i are the point forces and moments, a_i
-//! the contact forces, and R_i and R_θi the forces and moments of the supports at the nodes. Square brackets denote
-//! jumps at the nodes. φ = w′ where the beam has no shear deformation. A moment M + δ is in equilibrium with the loads
-//! if δ″ = −r on the pieces, and [δ′]_i = −r_i and [δ]_i = q_i at the nodes.
+//! The residuals r on pieces and r_i, q_i at nodes are those of (5) in `docs/proof.md`. The moment M + δ is in
+//! equilibrium with the loads if δ″ = −r on pieces, and if δ′ jumps by −r_i and δ by q_i at nodes.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -65,9 +55,8 @@ pub(crate) fn residual<S: Scalar>(
     Residual { pieces, nodes, pushing }
 }
 
-/// Force of a one-way support, positive in the direction in which the support can act. For a rigid support, it is the
-/// claimed force. For a spring, it is the spring force at the admissible deflection, or zero if this force has the
-/// opposite direction.
+/// Force of a one-way support, positive in the direction in which the support can act. A rigid support has its claimed
+/// force. A spring has the force at the admissible deflection, or zero if this force is negative.
 fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> S {
     let node = &frame.nodes[i];
     match (node.acts, node.spring) {

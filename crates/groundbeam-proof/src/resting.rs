@@ -1,9 +1,7 @@
 //! Parts of the beam that rest without load on level ground, between two clamps or between a clamp and an end of the beam.
 //!
-//! A clamp separates the beam into two parts. Consider a part without loads and springs, over level ground at the
-//! height of the clamp. Loads on the ground act downward, so they do not lift the ground. Therefore this part is in
-//! equilibrium if it stays at the height of the clamp without pressure. The solution on this part is unique, so the
-//! exact pressure on it is zero.
+//! Such a part is in equilibrium at the height of its clamps without pressure, because loads on the ground act
+//! downward. See *Parts that rest* in section 5 of `docs/proof.md`.
 
 use crate::contact_set::Contact;
 use crate::frame::{Frame, Node};
@@ -28,9 +26,8 @@ impl<S: Scalar> Contact<'_, S> {
             && (from + 1..to).all(|node| is_free(&frame.nodes[node]))
     }
 
-    /// Checks the claimed contact of the pieces from `first` to `end` on Winkler ground that rest without pressure. Beam
-    /// and ground touch there, so a part may be listed as contact or not, but only as a whole. A load on the ground opens
-    /// a gap below the part. Returns the first piece that violates this rule.
+    /// Returns the first piece with a wrong claim of contact on a part that rests on Winkler ground. Pieces with a load
+    /// on the ground must be open, and the other pieces of the part all in contact or all open.
     pub(crate) fn divided_rest(&self, first: usize, end: usize) -> Option<usize> {
         let frame = self.fields.frame;
         // Whether the last unloaded ground piece of the part is claimed to be in contact.
@@ -60,8 +57,8 @@ fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     level && none(&span.force) && none(&span.moment) && none(&span.curvature)
 }
 
-/// Whether a part of the beam that rests on the ground at the constant deflection `height` may end at a node. The node
-/// must be a clamp with the settlement `height` that acts in both directions, or must have no load, support or hinge.
+/// Whether a resting part at the deflection `height` may end at a node: at a two-way clamp with this settlement, or at
+/// a node without load, support and hinge.
 fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
     match node.clamped {
         true => node.rigid == Some(height) && node.acts == Acts::Both,
@@ -83,9 +80,8 @@ mod tests {
     use crate::pointwise::PieceBounds;
     use serde_json::json;
 
-    /// The beam has two pieces with the claimed deflection w = ¼. A part from a clamp to the next clamp or to an end of
-    /// the beam lies on the ground without pressure if it has no load, no other support and no hinge, and if the ground
-    /// below it is level at the height of its clamps.
+    /// Two pieces have the claimed deflection w = ¼. A part rests if it has no load, no hinge and no other support, and
+    /// if the ground below it is level at the height of its clamps.
     #[test]
     fn a_part_rests_without_load_on_level_ground_of_the_height_of_its_clamps() {
         let level = "[[gap]]\nat = 0\nvalue = 0.25\n";
@@ -133,9 +129,8 @@ mod tests {
         }
     }
 
-    /// The beam has four pieces with the claimed deflection w = ¼ over level ground at the height of the clamp at x = ½.
-    /// Each of the two parts beside the clamp may be listed as contact or not, but only as a whole. A load on the ground
-    /// opens a gap below the last piece.
+    /// Four pieces lie over level ground at the height of the clamp at x = ½. Each part beside the clamp may be listed
+    /// as contact only as a whole. The load on the ground opens a gap below the last piece.
     #[test]
     fn a_resting_part_is_listed_as_a_whole() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 0.25\n\

@@ -1,14 +1,7 @@
 //! Bounds the positions of the contact edges on each piece with a shear layer, without a bound of the slope of the beam.
 //!
-//! On a beam with shear deformation, the bound of the slope needs a bound of the shear force. The bound of the shear
-//! force needs the lengths on which the beam is in contact in only one of the two solutions, the exact or the claimed.
-//!
-//! ε_C is the error bound of the clearance between beam and ground, and ε_p that of the pressure p. On a piece out of
-//! contact, there is contact in the exact solution only where the claimed clearance is at most ε_C, near the ends at
-//! which the piece touches the ground. On a piece in contact with p > ε_p, the exact clearance is at most ε_C. Wherever
-//! the exact clearance is positive, it is convex. Its second derivative is at least m/μ, with the stiffness μ of the
-//! layer and the smallest value m of p − ε_p. So in the exact solution, the piece is out of contact only within the
-//! distance (2ε_Cμ/m)^½ of its ends.
+//! On a Timoshenko beam, the bound of the slope depends on the lengths with contact in only one of the two solutions.
+//! See *Timoshenko beams on a layer* in section 5 of `docs/proof.md`.
 
 use crate::approach::clear;
 use crate::clearance::OpenPiece;
@@ -20,8 +13,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Returns bounds of the positions of the contact edges on every piece of the beam over a shear layer. The error
-    /// bound of a concentrated contact force is zero at a node out of contact, and infinite at a node in contact.
+    /// Returns bounds of the contact edges on every piece over a shear layer. The error bound of a contact force is
+    /// infinite at a node in contact, and zero at any other node.
     pub fn roughly(&self) -> Shown {
         let frame = self.fields.frame;
         let mut shown = Shown::nothing(frame.nodes.len());
@@ -63,8 +56,7 @@ impl<S: Scalar> Contact<'_, S> {
         more(self.bounds[i].settlement + self.bounds[i].deflection)
     }
 
-    /// Returns one length for each end of a piece that is in contact in the claimed solution. In the exact solution,
-    /// the piece may be out of contact only within these lengths from its ends.
+    /// Returns for each end of a piece in contact the length on which the exact solution may be out of contact.
     fn opened(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let field = self.fields.pressures[i].field.coarse();
         let error = more(self.bounds[i].pressure);
@@ -76,13 +68,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// Returns a bound for one end of a piece that is in contact in the claimed solution. In the exact solution, the
-    /// beam may be out of contact at this end, but at most on a length equal to the bound. Returns `None` if no bound
-    /// is found. Requires p > ε_p on the whole piece, with the pressure p and its error bound ε_p.
-    ///
-    /// The bound is (2ε_Cμ/m)^½, with the error bound ε_C of the clearance and the stiffness μ of the shear layer. m is
-    /// the smallest value of p − ε_p on a stretch that begins at the end of the piece. Longer and longer stretches are
-    /// tried until one is at least as long as the bound that follows from it.
+    /// Bounds the length at an end of a piece in contact on which the exact solution may be open: (2ε_Cμ/m_p)^½ in
+    /// section 5 of `docs/proof.md`. Requires a pressure above its error bound on the whole piece.
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
@@ -92,8 +79,7 @@ impl<S: Scalar> Contact<'_, S> {
         balanced_on(growing_parts(), &field, error, piece, side, opened)
     }
 
-    /// Returns one length for each end of a piece that is out of contact in the claimed solution. In the exact
-    /// solution, the piece may be in contact only within these lengths from its ends.
+    /// Returns for each end of a piece out of contact the length on which the exact solution may be in contact.
     fn touched(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let too_small = || {
             self.failed("the clearance between beam and ground is too small to exclude contact", i)
@@ -151,10 +137,8 @@ mod tests {
         PieceBounds { settlement, deflection, pressure, ..PieceBounds::EXACT }
     }
 
-    /// `opened_at` computes a bound x of the length at an end of a piece on which the beam may be out of contact in the
-    /// exact solution. Let ε_C be the error bound of the clearance, ε_p that of the linear pressure p, and μ the
-    /// stiffness of the shear layer. m₁ and m₄ are the minima of p − ε_p on the lengths x and 4x next to the end. The
-    /// tried lengths grow by the factor 4, so x must lie between (2ε_Cμ/m₁)^½ and (2ε_Cμ/m₄)^½.
+    /// The bound x is (2ε_Cμ/m)^½ with the minimum m of p − ε_p on the tried length. The tried lengths grow by the
+    /// factor 4, so x must lie between the values with the minima on the lengths x and 4x.
     #[test]
     fn the_open_length_follows_from_the_smallest_pressure_on_it() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 3\n";
@@ -189,11 +173,8 @@ mod tests {
         }
     }
 
-    /// The claimed deflection is w = 2 − x, with contact and the pressure p = 2 − x up to x = 1. Beyond x = 1, the
-    /// ground surface is u = exp(1 − x), so the clearance u − w is about ½(x − 1)². Let ε_C be the error bound of the
-    /// clearance. In the exact solution, the contact may extend by up to (2ε_C)^½ beyond x = 1. Next to an end of a
-    /// piece in contact, the beam may be out of contact on a length of up to (2ε_C/p)^½, where p is the pressure at
-    /// this end. The mirror image of the beam has the same bounds.
+    /// Up to x = 1 there is contact with p = w = 2 − x. The clearance beyond is about ½(x − 1)², with the error bound
+    /// ε_C. The exact contact may extend by (2ε_C)^½ beyond x = 1, or be absent on (2ε_C/p)^½ at an end of a piece.
     #[test]
     fn the_ends_of_all_pieces_have_bounds_of_the_contact() {
         let model = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -251,9 +232,8 @@ mod tests {
                 let sharp = found <= 2.6 * exact || (exact > 0.05 && found < 0.501);
                 assert!(exact <= found && sharp, "{edge:?} {exact}");
             }
-            // The tried distances from the edge grow by the factor 1.5. At the distance `within`, the clearance exceeds
-            // its error bound `off` for the first time; at the previous distance `last`, it does not. `outside` is 1.5
-            // times `within`. For a very small `off`, the rounding error of the clearance is too large for this check.
+            // `outside` is 1.5 times `within`, the first tried distance at which the clearance exceeds `off`. The
+            // distance tried before is `last`. For a very small `off`, the rounding error is too large for this check.
             let [within, last] = [1.5, 2.25].map(|part| edge.outside.value() / part);
             let clearance = |y: f64| (-y).exp() - 1.0 + y;
             let is_first = clearance(within) > off && clearance(last) < 1.001 * off;
@@ -261,9 +241,8 @@ mod tests {
         }
     }
 
-    /// On a piece in contact, the positions of the contact edges have bounds only if the pressure exceeds its error
-    /// bound everywhere. On a piece out of contact, they have bounds only if the clearance exceeds its error bound,
-    /// except near the ends of the piece.
+    /// The contact edges on a piece have bounds only if its pressure, or its clearance away from its ends, exceeds the
+    /// error bound.
     #[test]
     fn contact_without_a_bound_is_told() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

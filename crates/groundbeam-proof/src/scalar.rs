@@ -8,8 +8,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// A real number, or an interval that contains it.
 ///
-/// Every function of this crate is generic over this trait. With `Ball` or `Wide` each operation encloses all
-/// exact results, so that a proven inequality is a theorem. With `f64` the same formulas give an estimate.
+/// With `Ball` or `Wide`, each operation encloses all exact results, so a proven inequality is a theorem. With `f64`,
+/// the same formulas give an estimate.
 pub trait Scalar:
     Copy
     + Debug
@@ -89,11 +89,8 @@ pub trait Scalar:
     }
 }
 
-/// Computes exp(x) − 1 for x ≤ 0 by the first `terms` terms of its power series, with `terms` ≤ 18.
-///
-/// The argument x is first halved until |x| ≤ 2⁻⁴. With e = exp(x) − 1, the formula exp(2x) − 1 = e(e + 2) then undoes
-/// each halving. With n = `terms`, the sum of xʲ/j! from j = 1 to n is x/n! times a polynomial with the integer
-/// coefficients n!/j!, which are exact doubles for n ≤ 18. The remainder is at most 2|x|ⁿ⁺¹/(n+1)!.
+/// Computes exp(x) − 1 for x ≤ 0 by the first `terms` terms of its power series. `terms` must be at most 18, so that
+/// the coefficients are exact doubles.
 pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     if !(x.high() <= 1.0) {
         return S::of(f64::INFINITY);
@@ -112,12 +109,15 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
         (size, halvings) = (0.5 * size, halvings + 1);
     }
     let y = x.scaled(-halvings);
+    // With n = `terms`, the sum of yʲ/j! from j = 1 to n is y/n! times a polynomial with the integer coefficients
+    // n!/j!.
     let (mut sum, mut coefficient) = (S::one(), 1.0);
     for j in (1..terms).rev() {
         coefficient *= f64::from(j + 1);
         sum = sum * y + S::of(coefficient);
     }
     let size = Size::of(size);
+    // The remainder is at most 2|y|ⁿ⁺¹/(n+1)!.
     let mut rest = (2.0 * size).over(f64::from(terms + 1));
     for _ in 0..terms {
         rest = rest * size;

@@ -16,8 +16,8 @@ pub(crate) struct FieldScales {
     /// Scale of the slope: the larger of max|w′| and U/Λ, with the scale U of the deflection and the characteristic
     /// length Λ.
     pub slope: f64,
-    /// Scale of the bending moment: the largest of max|M|, Λ² max p and F₀Λ, with the bending moment M, the contact
-    /// pressure p, the largest load or reaction F₀ and the characteristic length Λ.
+    /// Scale of the bending moment: the largest of max|M|, Λ² max p and F₀Λ, with the characteristic length Λ, the
+    /// pressure p and the largest load or reaction F₀.
     pub moment: f64,
     /// Scale of the shear force: the largest of max|V|, Λ max p and F₀, with the shear force V, the contact pressure p,
     /// the largest load or reaction F₀ and the characteristic length Λ.
@@ -69,8 +69,8 @@ impl FieldScales {
     }
 }
 
-/// Returns the largest absolute values of the claimed fields at the nodes and the middles of the pieces. The value
-/// for the rotation is that of the slope. The value for the gap is the sum of those for deflection and settlement.
+/// Returns the largest absolute values of the claimed fields at the nodes and the middles of the pieces. The value for
+/// the gap is the sum of those for deflection and settlement.
 pub(crate) fn claimed<S: Scalar>(fields: &Fields<S>) -> [f64; 8] {
     let exact = vec![PieceBounds::EXACT; fields.frame.spans.len()];
     let most = Largest::of(fields, &exact);
@@ -130,9 +130,8 @@ fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     slightly_less(if wave < length { wave } else { length })
 }
 
-/// Returns the largest load or reaction, and the sum of all loads, as forces. `wave` is the characteristic length Λ. A
-/// point moment is divided by Λ, and an imposed curvature κ₀ counts as EI κ₀/Λ. A distributed load is multiplied by Λ
-/// for the largest load, and by its length for the sum.
+/// Returns the largest load or reaction F₀ and the sum of all loads, both as forces (section 8 of `docs/proof.md`).
+/// `wave` is the characteristic length Λ.
 fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
     let (mut most, mut sum) = (0.0, 0.0);
     for span in &fields.frame.spans {
@@ -174,9 +173,8 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// The deflection is w = 1 + 2t + 3t² + 4t³ with t = 2x − 1. The largest absolute values at the ends and in the
-    /// middle are 10 for w, 2·20 for w′, 4·30 for M, 8·24 for V, 10 − ¼ for the settlement and 2(10 − ¼) for the
-    /// pressure.
+    /// With t = 2x − 1, w = 1 + 2t + 3t² + 4t³ has the largest value 10, and its derivatives have 2·20, 4·30 and 8·24.
+    /// The settlement is w − ¼, and the pressure 2(w − ¼).
     #[test]
     fn listed_numbers_are_compared_with_the_largest_values() {
         let model =

@@ -1,12 +1,8 @@
 //! Bounds of the error of the shear force, from the error of the moment over a window and the errors of the loads in it.
 //!
-//! A window is a stretch of the beam without rigid supports inside. The mean error of the transverse force over a
-//! window follows from the errors of moment and deflection at the ends of the window. The error at one position
-//! differs from this mean by the errors of pressure, concentrated forces and springs inside the window. Formula (15)
-//! of docs/proof.md is the smallest bound over all lengths of the window.
-//!
-//! Under an axial force, formula (15a) of docs/proof.md uses the error of the curvature instead of the errors of
-//! deflection and slope. It applies to beams without shear deformation and to windows without hinges.
+//! The mean error of the transverse force over a window follows from the errors of moment and deflection at its ends.
+//! The error at a position differs from this mean by the errors of the forces inside the window. See (15) and (15a) in
+//! `docs/proof.md`.
 
 use crate::coefficient::Coefficient;
 use crate::contact_set::Shown;
@@ -19,8 +15,8 @@ use crate::size::Size;
 use crate::test_functions::least_of_halves;
 use std::ops::Range;
 
-/// Returns two sums over the pieces of `window` and the nodes between them: the sum of the errors of contact and spring
-/// forces, and the sum of the errors of the moments of rotational springs.
+/// Returns the sum of the errors of contact and spring forces inside a window, and that of the moments of rotational
+/// springs.
 fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [Size; 2] {
     let [mut forces, mut couples] = [Size::ZERO; 2];
     for i in window.clone() {
@@ -46,8 +42,7 @@ fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distan
     p.shifted(middle).size(reach).least(p.size(span.tau))
 }
 
-/// Numbers of pieces by which the window around a piece extends to each side, in the order in which they are tried. A
-/// window is the part of the beam over which the error of the shear force is averaged.
+/// Numbers of pieces by which the window around a piece extends to each side, in the order in which they are tried.
 const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 
 /// Bounds of the error of the contact pressure on one piece.
@@ -62,9 +57,8 @@ struct LoadError {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Tightens the error bounds of the shear force on all pieces and, on a beam with shear deformation, those of the
-    /// slope. `shown` must contain the contact set of all shear layers, or at least bounds of the positions of its
-    /// edges.
+    /// Tightens the error bounds of the shear force on all pieces and, with shear deformation, those of the slope.
+    /// `shown` must contain bounds of the contact edges of all shear layers.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -100,14 +94,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Lowers the error bounds of the shear force V and, with shear deformation, of the slope w′. `all` is an error
-    /// bound of T − Pφ, where T is the transverse force, P the axial tension and φ the rotation. Without shear
-    /// deformation, T − Pφ equals V. With shear deformation, S is the shear stiffness, η = S(w′ − φ) − V the misfit of
-    /// the claimed shear force, and ε_φ the error bound of φ. The error bounds ε_V of V and ε_θ of w′ are then
-    ///
-    /// ```text
-    /// ε_V = (all + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
-    /// ```
+    /// Lowers the error bounds of the shear force and, with shear deformation, of the slope. `all` is an error bound of
+    /// T − Pφ, with the transverse force T, the axial tension P and the rotation φ. See *Shear force* in section 6 of
+    /// `docs/proof.md`.
     fn on_piece(&self, i: usize, all: Size, bounds: &mut PieceBounds) {
         let frame = self.fields.frame;
         let Some(stiffness) = &frame.spans[i].stiffness else {
@@ -161,10 +150,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// Error bound of the shear force by formula (15a) of docs/proof.md, without the first two terms of the formula.
-    /// The formula averages the error of the shear force over a length inside `window`, which is a range of pieces. The
-    /// bound is infinite if the beam has no axial force, if a hinge lies inside the window, or if a piece of the window
-    /// has shear deformation.
+    /// Error bound of the shear force by (15a) of `docs/proof.md`, without |δ′| and |β|. It is infinite without axial
+    /// force, with a hinge inside the window, or with shear deformation.
     fn directly(
         &self,
         window: Range<usize>,
@@ -194,9 +181,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         least + 2.0 * (axial * turned) + drawn + forces
     }
 
-    /// The bound (15) of docs/proof.md without the terms of contact edges and of concentrated forces. The formula holds
-    /// for every length h over which the error is averaged. The result is the minimum over lengths h up to `part` times
-    /// the length of `window`, a range of pieces.
+    /// The bound (15) of `docs/proof.md` without the terms of contact edges and concentrated forces. It is the minimum
+    /// over lengths h up to `part` times the length of `window`.
     fn steady(
         &self,
         window: Range<usize>,
@@ -241,9 +227,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         // In the exact solution, the beam may be in contact on the length `outside` beyond an edge of the claimed
         // contact, or out of contact on the length `inside` before this edge.
         for edge in &shown.edges {
-            // `outer` is the piece next to the edge outside the claimed contact region, and `inner` the piece inside.
-            // If the edge is an end of the beam, one of these pieces does not exist, and the length `outside` or
-            // `inside` on this side is zero.
+            // `outer` is the piece at the edge outside the claimed contact, and `inner` the piece inside. At an end of
+            // the beam, the length on the missing piece is zero.
             let [outer, inner] = match edge.side {
                 0 => [edge.node.wrapping_sub(1), edge.node],
                 _ => [edge.node, edge.node.wrapping_sub(1)],
@@ -262,10 +247,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// Returns an upper bound of |ku − q − (μψ′)′| on a piece of a shear layer that is out of contact in the claimed
-    /// solution. u is the claimed ground displacement, q the load on the ground, and ψ = w − g₀ the claimed deflection
-    /// minus the initial gap. If the exact solution has contact on the piece, its contact pressure is at most this bound
-    /// plus the error bound of the pressure.
+    /// Upper bound of |ku − q − (μψ′)′| on an open piece of a shear layer, with the load q on the ground and ψ = w −
+    /// g₀. The exact pressure on the piece is at most this bound plus the error bound of the pressure.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         if let Some(along) = &self.fields.surface.pieces[i].along {
@@ -278,9 +261,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// Returns the bound of `open_pressure` for the part of a piece within the given `distance` of one of its ends. On
-    /// this part, the settlement minus the free-field settlement differs from its value at the end by at most
-    /// `distance` times its largest slope. The largest slope occurs at an end of the piece.
+    /// Returns the bound of `open_pressure` for the part of a piece within the given `distance` of one of its ends.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {
@@ -292,6 +273,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             .free_field()
             .map_or(S::zero(), |free| span.shear.least() * free.coefficient(1) * span.per_length);
         let [left, right] = surface.flux.map(|flux| Size::of((flux - free).size()));
+        // The slope of the settlement minus the free-field settlement is largest at an end of the piece.
         let slope = left.worst(right).over(span.shear.low());
         let bent = span.derivative(&span.derivative(&span.deflection));
         let at_end = span.spring.times(Polynomial::from_coefficients([above]));

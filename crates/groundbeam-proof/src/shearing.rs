@@ -1,13 +1,7 @@
 //! The energy of the error of the shear force on a beam with shear deformation, a part of the energy bound E.
 //!
-//! V = M′ − g is the claimed shear force, with the claimed bending moment M and the distributed moment load g. S is the
-//! shear stiffness of the beam, w′ the slope and φ the rotation of the cross-sections. The misfit η = S(w′ − φ) − V
-//! compares V with the claimed shear deformation w′ − φ. δ is the moment that balances the residual of equilibrium. The
-//! energy is
-//!
-//! ```text
-//! ½∫(η − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)²,   ‖x‖² = ∫x²/S.
-//! ```
+//! The energy is ½∫(η − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)² in the norm ‖x‖² = ∫x²/S, with the shear stiffness S. η = S(w′ − φ) − V
+//! is the misfit of the claimed shear force V. δ is the moment that balances the residual of equilibrium.
 
 use crate::balance::Balanced;
 use crate::frame::Frame;
@@ -15,9 +9,8 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Computes an upper bound of (‖η‖ + ‖δ′‖)² over the pieces with shear deformation, where ‖x‖² = ∫x²/S and S is the
-/// shear stiffness. η is the misfit S(w′ − φ) − V of the claimed shear force V, and δ′ the shear force that balances
-/// the residual of equilibrium.
+/// Upper bound of (‖η‖ + ‖δ′‖)² in the norm ‖x‖² = ∫x²/S. η is the misfit of the claimed shear force, and δ′ the shear
+/// force that balances the residual of equilibrium.
 pub(crate) fn shearing_energy<S: Scalar>(
     frame: &Frame<S>,
     residual: &Residual<S>,
@@ -35,17 +28,8 @@ pub(crate) fn shearing_energy<S: Scalar>(
     (misfit.root() + balancing.root()).square()
 }
 
-/// Bound of the norm (∫δ′²)^½ on a piece of length h, where δ′ is the shear force that balances the residual of
-/// equilibrium.
-///
-/// δ′ has three parts. The first part is the linear function with the values a and b at the ends of the piece. The
-/// second part is at most ½hR, because δ″ differs from a constant by at most R = `rest`. The third part is the shear
-/// force due to the redistribution of residual forces over pressures and supports, at most Δ′ = `added`. So the bound
-/// is
-///
-/// ```text
-/// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.
-/// ```
+/// Bound (9a) of `docs/proof.md` for (∫δ′²)^½ on a piece of length h. The balancing shear force δ′ has the end values a
+/// and b. `rest` bounds the variation of δ″, and `added` the part of δ′ from the distributed forces.
 fn shear_norm<S: Scalar>(h: S, [a, b]: [S; 2], rest: Size, added: Size) -> Size {
     let chord = h.div(S::of(3.0)) * (a * a + a * b + b * b);
     let long = Size::of(h.high());
@@ -60,9 +44,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Computes the shear force δ′ at the coordinate t on a piece with |t| ≤ 1, from its derivative δ″ = C − r with
-    /// respect to x. r = c₁t + c₂t² + c₃t³ is the varying part of the residual. The constant C follows from the values
-    /// a and b of δ′ at the ends of the piece. `half` is half the length of the piece.
+    /// Computes the shear force δ′ at the coordinate t on a piece of length 2 `half`, from its end values a and b and
+    /// the varying part c₁t + c₂t² + c₃t³ of the residual.
     fn shear(c: &[f64; 3], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
         let once = |t: f64| {
             let terms = c.iter().enumerate();

@@ -104,18 +104,16 @@ impl<S: Scalar> Contact<'_, S> {
         node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether the exact deflection and its slope are known to equal the initial gap and the slope of the gap at an end
-    /// of a piece. This is the case at a clamp whose settlement equals the initial gap, if the ground is level there
-    /// and the beam has no shear deformation.
+    /// Whether the exact deflection and slope at an end of a piece equal those of the ground surface: at a clamp at the
+    /// height of level ground, without shear deformation.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let shears = span.stiffness.is_some();
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
-    /// Finds a short zone beside a rigid support, on a piece out of contact over a shear layer. The support must hold
-    /// the beam at the initial surface of the ground. In the exact solution, the beam lies above this surface in the
-    /// zone. Loads on the ground act downward, so the ground does not rise, and the beam is not in contact.
+    /// Finds a short zone without exact contact on an open piece of a shear layer, beside a rigid support at the
+    /// initial surface of the ground. Loads on the ground act downward, so the beam lies above the ground in the zone.
     pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
         let bounds = &self.bounds[i];
         let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
@@ -123,10 +121,8 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side).then(|| self.zone(i, side, &field, limit)).flatten()
     }
 
-    /// Finds a short zone at an end of a piece. In the zone, the inward slope of `field` exceeds the error bound of the
-    /// slope. At the inner end of the zone, `field` exceeds `limit`. If the exact slope at the end of the piece is
-    /// known to be zero, the second derivative and its error bound take the place of the slope and its error bound.
-    /// Returns the length of the zone and the coordinate t of its inner end.
+    /// Finds a short zone at an end of a piece in which the inward slope of `field` exceeds its error bound. At the
+    /// inner end, `field` exceeds `limit`. Returns the length of the zone and the coordinate t of its inner end.
     fn zone(
         &self,
         i: usize,
@@ -138,6 +134,7 @@ impl<S: Scalar> Contact<'_, S> {
         let half = Size::of(span.half.high());
         let end = span.interval()[side];
         let inward = if side == 0 { 1.0 } else { -1.0 };
+        // If the exact slope at the end is zero, the second derivative takes the place of the slope.
         let lies = self.lies(i, side);
         // A first derivative with respect to t is `half` times that with respect to x, and a second derivative
         // `half`² times.
@@ -223,10 +220,8 @@ mod tests {
     /// w = −¼(1 − t²).
     const HOLLOW: Claimed = (false, [-0.25, 0.0, 0.25]);
 
-    /// The claimed deflection w crosses the ground surface w = 0 at x = ½ with the slope −4, and at x = ¾ with the
-    /// slope 4. At the distance 0.005 from these positions, |w| is about 0.02, more than the error bound 0.01 of w. So
-    /// the position of each edge is known to within 0.005. The test examines the pieces from x = ¼ on, so the first
-    /// contact region begins there.
+    /// w crosses the ground surface at x = ½ and x = ¾ with the slopes −4 and 4. At the distance 0.005, |w| exceeds its
+    /// error bound 0.01, so each edge is known to within 0.005. The examined pieces begin at x = ¼.
     #[test]
     fn edges_lie_where_the_beam_crosses_the_ground() {
         with_pieces(&[RISING, FALLING, HOLLOW, RISING], "", |fields| {
@@ -249,9 +244,8 @@ mod tests {
         });
     }
 
-    /// A piece is proven to be in contact or out of contact only if |w − g₀| exceeds the error bound of w on the whole
-    /// piece, with the deflection w and the initial gap g₀. The proof fails if w − g₀ is zero at the common end of two
-    /// pieces in contact.
+    /// A piece is proven to be in or out of contact only if |w − g₀| exceeds the error bound of w on the whole piece,
+    /// with the deflection w and the initial gap g₀.
     #[test]
     fn a_beam_near_the_surface_has_no_contact_set() {
         for (pieces, proven) in [
@@ -294,9 +288,8 @@ mod tests {
         }
     }
 
-    /// Checks the zones at the ends of a piece for random polynomials `field`. In a zone the inward slope of `field`
-    /// exceeds the error bound of the slope. In a zone at a clamp, the second derivative exceeds the error bound of the
-    /// curvature. At the inner end of a zone, `field` exceeds the given limit.
+    /// Checks the zones for random polynomials `field`: the inward slope, or the second derivative at a clamp, exceeds
+    /// its error bound. At the inner end of the zone, `field` exceeds the limit.
     #[test]
     fn a_field_grows_to_the_limit_within_its_zone() {
         let clamps =

@@ -1,24 +1,8 @@
 //! Computes a number σ > 0 such that the work of an axial compression is at most (1 − σ) times the strain energy of the beam.
 //!
-//! N = |P| is the compression. For a deflection z, a₀(z, z) = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² is twice the strain energy of
-//! the beam and its two-way supports. κ and κ_θ are the stiffnesses of translational and rotational springs. k_φ is the
-//! stiffness of a hinge, and [z′] its rotation. One of two methods proves a number σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for
-//! all deflections z.
-//!
-//! 1. The first method applies to spans between rigid supports, without hinges. ∫z′ = 0 on a span, so with the length L,
-//!    EI and S of each span
-//!
-//! ```text
-//! σ = 1 − N max(L²/(π²EI) + 1/S).
-//! ```
-//!
-//! On a beam without shear deformation whose only support is a clamp at one end, 2L replaces L.
-//!
-//! 2. The second method applies to any supports and hinges, without shear deformation. The beam is divided into elements
-//!    of length h. z is the sum of its cubic interpolant and a function ζ that is clamped at the ends of the elements, so
-//!    ∫ζ′² ≤ (h/2π)²∫ζ″². K_bend and K_geo are the bending and the geometric stiffness matrices of the elements. Let N₁ be a
-//!    compression for which the matrix K_bend + springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo is positive definite. Then
-//!    σ = 1 − N/N₁.
+//! One method applies to spans between rigid supports and to a beam whose only rigid support is a clamp at an end. A
+//! second method divides a beam without shear deformation into elements. See *Critical load* in section 3 of
+//! `docs/proof.md`.
 
 use crate::frame::{Frame, Node};
 use crate::model::Acts;
@@ -34,8 +18,8 @@ const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
 /// The largest ratio N₁/N that is tried, with the compression N and a compression N₁ under which the beam is stable.
 const MOST: f64 = 64.0;
 
-/// Returns a number σ > 0 such that, for every deflection, the work of the compression N is at most (1 − σ) times the
-/// strain energy of the beam and its two-way supports; `None` if no such number is found.
+/// Returns σ > 0 such that the work of the compression is at most (1 − σ) times the strain energy of the beam and its
+/// two-way supports; `None` if no such number is found.
 pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let by_spans = of_spans(frame, compression);
     if by_spans.is_some_and(|margin| margin > 0.5) || frame.shears() {
@@ -55,9 +39,8 @@ fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
     node.rigid.is_some() && node.acts == Acts::Both
 }
 
-/// Computes a number σ > 0 such that, for every deflection, the work of the compression is at most (1 − σ) times the
-/// strain energy. The beam must have rigid supports at both ends, or a clamp at one end as its only rigid support.
-/// Returns `None` for other beams, for beams with hinges, and if no such number is found.
+/// Computes the number σ of [`margin`] for a beam with rigid supports at both ends, or with a clamp at one end as its
+/// only rigid support. Returns `None` for other beams and for beams with hinges.
 fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let nodes = &frame.nodes;
     let last = nodes.len() - 1;
@@ -96,7 +79,7 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
 }
 
 /// Computes σ = 1 − N/N₁ from the compression N and the largest compression N₁ found for which the stiffness matrix of
-/// the elements is positive definite. For every deflection, the work of N is at most (1 − σ) times the strain energy.
+/// the elements is positive definite.
 fn of_elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     compression: S,
@@ -156,8 +139,8 @@ struct Element<C> {
     end: Option<Joint<C>>,
 }
 
-/// Divides the beam into elements. Supports, hinges, jumps of EI, and all nodes where EI varies are ends of elements.
-/// No element is longer than the length of the beam divided by `count`.
+/// Divides the beam into elements of at most its length over `count`. Elements end at supports, hinges, jumps of EI,
+/// and all nodes where EI varies.
 fn elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     count: f64,
@@ -205,9 +188,8 @@ struct Left<C> {
 }
 
 impl<C: Scalar> Left<C> {
-    /// Adds the support stiffnesses of a node and eliminates the slope to the left of its hinge. Returns the stiffness
-    /// for the deflection and the slope just right of the node; `None` if the rotational stiffness at the hinge is not
-    /// proven to be positive.
+    /// Adds the support stiffnesses of a node and eliminates the slope to the left of its hinge. Returns `None` unless
+    /// the rotational stiffness at the hinge is proven to be positive.
     fn at(self, joint: &Joint<C>) -> Option<Left<C>> {
         let [mut a, mut b, mut c] = self.stiffness;
         (a, c) = (a + joint.spring, c + joint.turning);
@@ -250,9 +232,8 @@ impl<C: Scalar> Left<C> {
         let turned = entry(6.0, 3.0) * h1;
         let steep = entry(4.0, 4.0) * h2;
         let across = entry(2.0, -1.0) * h2;
-        // `joined` is the stiffness matrix for deflection and slope at the left end of the element: that of the beam to
-        // the left plus that of the element. `coupling` is the part of the element's stiffness matrix that couples its
-        // left end with its right end.
+        // `joined` is the stiffness at the left end of the element: that of the beam to the left plus that of the
+        // element. `coupling` couples both ends of the element.
         let [a, b, c] = self.stiffness;
         let joined = Left { stiffness: [a + own, b + turned, c + steep], held: self.held };
         if !joined.is_positive() {
@@ -322,9 +303,8 @@ mod tests {
         });
     }
 
-    /// The critical load of a beam on two pins is π²EI/l². With four elements, the proven lower bound of the critical
-    /// load is at most 2 percent smaller. The search for this bound ends when the ratio of the bound to the
-    /// compression, minus 1, is accurate to ten percent.
+    /// The critical load of a beam on two pins is π²EI/l². The bound by four elements is at most 2 percent smaller. The
+    /// search ends when the ratio of bound to compression, minus 1, is accurate to ten percent.
     #[test]
     fn the_search_for_the_critical_load_is_accurate() {
         let pin = |at: u32| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");

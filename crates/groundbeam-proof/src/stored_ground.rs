@@ -21,11 +21,8 @@ impl<S: Scalar> Span<S> {
 }
 
 impl<S: Scalar> Layer<'_, S> {
-    /// Sets the settlement ū on pieces where k or μ varies: the stored settlement plus a linear function that corrects
-    /// the values at the nodes. ū satisfies the ground's equation except for a residual. The residual is ρ = kū −
-    /// (μū′)′ − q along the pieces, and the jump r of the flux μū′ at each node out of contact. It increases the bound
-    /// Ḡ in (11) of docs/proof.md by at most (Σ∫ρ²/k)^½ + Σ|r|√g, where g is the settlement at a node under a unit
-    /// force at this node.
+    /// Sets the settlement on pieces where k or μ varies: the stored settlement plus a linear function that corrects
+    /// the values at the nodes. The residuals of this settlement increase Ḡ in (11) of `docs/proof.md` by (4a).
     pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
@@ -53,9 +50,8 @@ impl<S: Scalar> Layer<'_, S> {
         }
     }
 
-    /// Returns the settlement of the ground at a node. At a node in contact, it is the deflection minus the initial
-    /// gap. At a node out of contact, it is the settlement in the document for the adjacent piece on the left. If the
-    /// document has no settlement for this piece, the settlement for the adjacent piece on the right is used.
+    /// Returns the settlement of the ground at a node: the deflection minus the initial gap at a node in contact,
+    /// otherwise the stored settlement of the piece on the left or else on the right.
     pub(crate) fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
         if surface.touches[node] {
             return self.held(node);
@@ -82,9 +78,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// The shear layer begins at the second piece of the beam and is out of contact. Because μ varies on the third
-    /// piece, the settlement u of all pieces of the layer is read from the document. On the second and the fourth
-    /// piece, k and μ are constant, so u at both ends of such a piece determines the flux μu′ at both ends.
+    /// The shear layer begins at the second piece and is out of contact. On its pieces with constant k and μ, the
+    /// settlement u at both ends determines the flux μu′.
     #[test]
     fn a_piece_of_constant_ground_has_the_flux_of_its_ends() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 0\n\

@@ -4,8 +4,7 @@
 //! K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
 //! ```
 //!
-//! K₀ and K_l are the stiffnesses of the ground beyond the left and the right end of the beam. κ and κ_θ are the
-//! stiffnesses of translational and rotational springs.
+//! K₀ and K_l are the stiffnesses of the ground beyond both ends of the beam, κ and κ_θ those of the springs.
 
 use crate::pointwise::Pointwise;
 use crate::scalar::Scalar;
@@ -25,9 +24,8 @@ pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
     least
 }
 
-/// Returns the smallest energy K² of the test function z = t(1 − t/h)² on 0 ≤ t ≤ h, for the lengths h = `available`,
-/// `available`/2, `available`/4, …. The energy is K² = 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ, with the
-/// tension P and the stiffnesses κ of translational and κ_θ of rotational springs.
+/// Returns the least energy K² of the test function z = t(1 − t/h)² on 0 ≤ t ≤ h over lengths h up to `available`. At
+/// springs, z is at most 4h/27 and |z′| at most 1.
 pub(crate) fn kink(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -44,10 +42,9 @@ pub(crate) fn kink(
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Returns an upper bound of the energy K² of a test function that begins with a kink. The bound holds for every
-    /// position of the kink between the first and the last of `nodes`. The test function must vanish at these two
-    /// nodes. It is z = t(1 − t/h)² for 0 ≤ t ≤ h, where t is the distance from the kink towards the farther of the two
-    /// nodes, and zero elsewhere. The length h is at most half the distance between the two nodes.
+    /// Upper bound of the energy K² of the test function of [`kink`] for every position of the kink between the first
+    /// and the last of `nodes`. The function extends towards the farther of both nodes, so h may be half their
+    /// distance.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
         let available = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
@@ -93,12 +90,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// For each piece, replaces the bound of the energy K² by that of a second test function, if the second bound is
-    /// smaller. For a position x on the piece, the second function is z(s) = |s − x| between x and one end of the beam,
-    /// and zero on the other side of x. No rigid support may lie between x and this end. The energy of the second
-    /// function is K² = (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). P is the tension, L the distance from x to the
-    /// end, and K_e the stiffness of the ground beyond the end. κ and κ_θ are the stiffnesses of the springs at the
-    /// positions x_j. K² does not contain EI, so it is small for stiff beams.
+    /// Lowers the bounds of the energy K² by a second test function, which is linear from the kink to one end of the
+    /// beam if no rigid support lies between. This K² does not contain EI, so it is small for stiff beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -106,9 +99,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut held: Vec<usize> = Vec::new();
         for step in 0..count {
             let i = if side == 0 { step } else { count - 1 - step };
-            // `outer` is the node of the piece nearer to the end of the beam that `side` selects, and `inner` is its
-            // other node. The energy K² is computed for a test function that begins at `inner`. It is an upper bound of
-            // K² for every position on the piece.
+            // `outer` is the node of the piece nearer to the end of the beam. The energy K² for a kink at `inner` is an
+            // upper bound for every position on the piece.
             let (outer, inner) = (i + side, i + 1 - side);
             let node = &frame.nodes[outer];
             if node.rigid.is_some() {
@@ -152,9 +144,8 @@ pub(crate) mod tests {
         points.iter().map(|(x, w)| 0.5 * h * w * f(0.5 * h * (1.0 + x))).sum()
     }
 
-    /// Computes by numerical integration the energy K² of the beam, ground and springs for the test function
-    /// z = t(1 − t/h)² on 0 ≤ t ≤ h. The translational springs are placed where |z| is largest, and the rotational
-    /// springs where |z′| is largest.
+    /// Computes by numerical integration the energy K² of the test function z = t(1 − t/h)². The springs are placed
+    /// where |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| t * (1.0 - t / h).powi(2);
         let slope = |t: f64| (1.0 - t / h) * (1.0 - 3.0 * t / h);
@@ -181,9 +172,8 @@ pub(crate) mod tests {
         }
     }
 
-    /// Two pins are 1.5 apart. Every position between them is at least 0.75 away from one of the pins, so a test
-    /// function that begins at this position may have the length h = 0.75. On soft ground the energy K² of this test
-    /// function is nearly 4EI/h, which is smallest for the largest h.
+    /// Every position between two pins at the distance 1.5 is at least 0.75 away from one of them, so h = 0.75 is
+    /// possible. On soft ground the energy K² is nearly 4EI/h, which is smallest for the largest h.
     #[test]
     fn a_test_function_ends_before_the_next_support() {
         let pin = |at: f64| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");

@@ -1,9 +1,7 @@
 //! Proves that the solution is unique.
 //!
-//! Two solutions have the same settlement, pressure and bending moment. Their deflections differ by a rigid motion
-//! that vanishes at all supports and wherever the pressure is positive. This motion does not rotate an elastic hinge,
-//! because both solutions have the same bending moment. The solution is unique if every part between free hinges is
-//! held at two positions, or at one position with its rotation prevented.
+//! Two solutions differ only by a rigid motion of each part between free hinges. The motion vanishes at supports and
+//! wherever the pressure is positive. See section 7 of docs/proof.md.
 
 use crate::anchors::parts_of;
 use crate::contact_set::Shown;
@@ -48,8 +46,8 @@ fn first_mechanism(holds: &[Holds]) -> Option<usize> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Proves that the solution is unique. A concentrated contact force counts as a restraint if it is proven to be
-    /// positive. A one-way support counts as a restraint if its reaction exceeds its error bound.
+    /// Proves that the solution is unique. A contact force or a one-way support is a restraint only if its force is
+    /// proven to be positive.
     pub fn unique(&self, shown: &Shown, reactions: &[[Size; 2]]) -> Result<(), NotProven> {
         let frame = self.fields.frame;
         if frame.compression.is_some() {
@@ -96,9 +94,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         Holds { places: at_nodes + pieces, turning, ends: [held(part.start), held(part.end)] }
     }
 
-    /// Whether the exact pressure is proven to be positive somewhere in each half of a middle part of the piece. For
-    /// each half, the integral of a lower bound of the claimed pressure, multiplied by the weight function of `bump`,
-    /// must exceed the error bound of this integral.
+    /// Whether the exact pressure is proven to be positive at two positions of the piece. See section 7 of
+    /// docs/proof.md.
     fn presses(&self, i: usize) -> bool {
         let span = &self.fields.frame.spans[i];
         if !span.touches {
@@ -114,8 +111,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Returns a lower bound of the integral 2h/3 and an upper bound of the energy norm (8kh/15 + 16μ/(3h))^½ of the weight
-/// function 1 − (2t/h)² on |t| ≤ h/2. The length h of this interval lies between `low` and `high`.
+/// Returns a lower bound of the integral and an upper bound of the energy norm of the weight function 1 − (2t/h)² on
+/// |t| ≤ h/2. The length h lies between `low` and `high`.
 fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
     let norm = (8.0 * (ground * Size::of(high))).over(15.0) + (16.0 * layer).over(3.0).over(low);
     ((0.666 * low).next_down(), norm.root())
@@ -181,10 +178,8 @@ mod tests {
         })
     }
 
-    /// Let z be a weight function on an interval of length h, and ‖z‖_b its energy norm in the ground. Contact on the
-    /// interval is proven if the claimed pressure 2 satisfies 2∫z > (2E)^½‖z‖_b, where E is the bound of the error
-    /// energy. `presses` first tries the middle 90 % of the beam, each half of which has the length h = 0.9·0.75. This
-    /// largest h permits the largest E.
+    /// Checks `presses` just below and just above the largest permitted error energy. The first tried interval permits
+    /// the largest energy. It is half of the middle 90 % of the beam, so h = 0.9 · 0.75.
     #[test]
     fn a_pressure_holds_the_beam_if_the_error_cannot_remove_it() {
         for layer in [0.0, 0.5] {

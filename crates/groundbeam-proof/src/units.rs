@@ -1,7 +1,7 @@
 //! Scaling of length and force by powers of two, so that the length of the beam and the largest load lie in [1, 2).
 //!
-//! Scaling by a power of two is exact. If all forces or all lengths of a model are multiplied by a power of two, the
-//! proof computes with the same scaled numbers as before.
+//! Scaling by a power of two is exact. So a factor 2ⁿ on all forces or all lengths of a model leaves the proof
+//! unchanged.
 
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 use crate::refusal::NotProven;
@@ -43,8 +43,8 @@ impl Units {
         Ok(Units { length, force: force.unwrap_or(stiffness) })
     }
 
-    /// Converts a load to a force, with the unit of length l of the proof. A moment is divided by l, a distributed force
-    /// is multiplied by l, and an imposed curvature is multiplied by EI/l.
+    /// Converts a load to a force, so that loads of different kinds can be compared. `stiffness` is the binary exponent
+    /// of EI/l² with the unit of length l.
     fn load_as_force<S: Scalar>(self, load: &Load<S>, stiffness: i32) -> S {
         let (size, spread) = match load.extent {
             Extent::Point { size, .. } => (size, 0),
@@ -108,13 +108,12 @@ mod tests {
     use crate::read::read_model;
     use crate::wide::Wide;
 
-    /// A moment M₀ is converted to the force M₀/l, a distributed load q to ql, and an imposed curvature κ₀ to EIκ₀/l. A
-    /// support settlement δ is converted to κδ at a spring of stiffness κ, and to EIδ/l³ at a rigid support. The unit
-    /// of length l is 1 for the beam of length 1.5. All lengths are multiplied by 2ᵃ and all forces by 2ᵇ.
+    /// Checks the units for each kind of load and settlement on a beam of length 1.5. The lengths have the factor 2ᵃ
+    /// and the forces the factor 2ᵇ.
     #[test]
     fn the_units_follow_the_lengths_and_the_largest_load() {
-        // Each case has the start of a load or support table to which a value is appended, the exponents of N and m in
-        // the unit of this value, and the exponent n of the expected unit of force 2ⁿ for a = b = 0.
+        // Start of a load or support table, exponents of N and m in the unit of its value, and expected binary exponent
+        // of the unit of force for a = b = 0.
         let tables = [
             ("", [0, 0], 2),
             ("[[load]]\nat = 0\npoint = ", [1, 0], 1),

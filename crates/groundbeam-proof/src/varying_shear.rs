@@ -1,20 +1,7 @@
 //! Bounds of the pressure and of the slope of a beam with shear deformation on a shear layer where S or μ varies.
 //!
-//! By (14b) of docs/proof.md, the bound of the pressure needs a bound of the slope. The bound of the slope needs a
-//! bound of the shear force, and the bound of the shear force needs a bound of the pressure. So the first bound of
-//! the slope is computed without a bound of the pressure, on a section of length h within one piece. On this
-//! section, the error bound ε_T of the transverse force satisfies
-//!
-//! ```text
-//! ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T).
-//! ```
-//!
-//! A/h + B comes from the errors of moment, deflection and axial force. C + Dε_T bounds the right side of (14b), and
-//! p₀ bounds the pressure where the beam is in contact only in the exact or only in the claimed solution. For h < 2/D
-//!
-//! ```text
-//! ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD).
-//! ```
+//! The bounds of pressure, slope and shear force depend on each other. So the first bound of the slope uses one piece
+//! alone. See the text after (14b) in docs/proof.md.
 
 use crate::coefficient::Coefficient;
 use crate::frame::Span;
@@ -34,9 +21,8 @@ where
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Returns the error bound (14b) of docs/proof.md. On a piece in contact, it bounds the error of the pressure at
-    /// all positions that are also in contact in the exact solution. On a piece out of contact, it bounds the error of
-    /// (μC′)′, where C is the clearance between beam and ground.
+    /// Returns the error bound (14b) of docs/proof.md. On a piece in contact, it bounds the error of the pressure where
+    /// the exact solution is also in contact. On an open piece, it bounds the error of (μC′)′ with the clearance C.
     pub(crate) fn varying_pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(stiffness) = varying(span) else { return Size::INFINITE };
@@ -72,9 +58,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         [settled + factor * forces, span.steepness(&span.shear) + factor * steep]
     }
 
-    /// Tightens the error bounds of the beam's slope and of the pressure on pieces with shear deformation where the
-    /// shear stiffness S or the stiffness μ of the layer varies. The bounds of a piece follow from errors on this piece
-    /// alone.
+    /// Tightens the error bounds of slope and pressure on pieces with varying S or μ. Uses errors of the same piece
+    /// only.
     pub(crate) fn first_slopes(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             let span = &self.fields.frame.spans[i];
@@ -159,11 +144,8 @@ mod tests {
         }
     }
 
-    /// Calls `of` with a claimed solution for a beam of length 1 with EI = ⅛ and the tension P = ¼. The deflection is
-    /// w = 2 − x and the rotation φ = −1 − `turned`, so `turned` is the shear angle w′ − φ. The ground has k = ¼. Along
-    /// the beam, μ rises from ¼ to ¾, and the shear stiffness S falls from 1 to ½. The ratio
-    /// α = μ/(S + P) is at most 1. |α′|(S + P) is at most |μ′| + |S′| = 1, and 1 + P/S is at least 5/4. The load equals
-    /// the pressure 1 − x/4.
+    /// Calls `of` with the claimed deflection w = 2 − x and the shear angle `turned`. The load equals the pressure.
+    /// With the tension P, α = μ/(S + P) ≤ 1, |α′|(S + P) ≤ 1 and 1 + P/S ≥ 5/4.
     fn with_claim<T>(turned: f64, touches: bool, of: impl FnOnce(&mut Claim) -> T) -> T {
         let model = "[beam]\nlength = 1\nEI = 0.125\naxial_force = 0.25\n[[beam.segment]]\nfrom = 0\nto = 1\n\
                      shear_stiffness = [1, 0.5]\n[foundation]\nk = 0.25\nmu = 0.25\n\
@@ -195,11 +177,8 @@ mod tests {
         assert!((1.0..1.0 + 1e-9).contains(&ratio), "{what}: {found:?} {expected}");
     }
 
-    /// Returns the error bound of the transverse force: the smallest value of
-    /// (`moved`/h + `closed` + ½h·`spread`)/(1 − 0.8h) for sections of the beam with the lengths h = 1, ½, ¼, ….
-    /// `moved` bounds the errors of moment and deflection, `closed` the error of the transverse component of the axial
-    /// tension, and `spread` the error of the distributed load. The divisor accounts for the pressure error that the
-    /// error of the transverse force itself causes.
+    /// Returns the smallest bound of ε_T over h = 1, ½, ¼, … (text after (14b) in docs/proof.md). The arguments are A₁,
+    /// A₂ and p₀ + A₃, and A₄ is 1.6.
     fn first_force([moved, closed, spread]: [f64; 3]) -> f64 {
         let force = |j: i32| {
             let h = 0.5_f64.powi(j);
@@ -208,10 +187,8 @@ mod tests {
         (0..24).map(force).fold(f64::INFINITY, f64::min)
     }
 
-    /// Checks that `first_slope` returns the expected error bound of the slope. The error bound of the moment is 10⁻³.
-    /// In addition, the rotation differs from the slope by `turned`, or `change` sets the error of another quantity.
-    /// The expected bound is `resting` plus 1.6 times the error bound of the transverse force. `resting` is the part of
-    /// the bound that does not depend on the transverse force.
+    /// Checks that `first_slope` returns `resting` plus 1.6 times the error bound of the transverse force. The moment
+    /// has the error 10⁻³, and `turned` or `change` sets one other error.
     fn is_first_slope(
         what: &str,
         turned: f64,
@@ -226,8 +203,7 @@ mod tests {
         });
     }
 
-    /// Checks the error bound of the slope that `first_slope` computes from the errors on one piece of the beam. In
-    /// each case the moment has an error, and at most one other quantity has an error.
+    /// Checks the bound of the slope from errors on one piece: of the moment, and of at most one other quantity.
     #[test]
     fn the_first_slope_follows_from_the_change_of_moment_on_the_piece() {
         let size = Size::of;
@@ -251,8 +227,8 @@ mod tests {
             |c| c.bounds.deflection = size(0.1),
             [0.0, 0.052, 0.0, 1.0],
         );
-        // The misfit η = S(w′ − φ) − V is the residual of the shear force V, with the shear stiffness S ≤ 1 and the
-        // rotation φ of the cross-sections. Here η = S/8, so |η| ≤ 1/8 and |η′| = 1/16.
+        // The misfit, which is the residual of the shear force, is S/8 with the shear stiffness S ≤ 1. Its derivative
+        // has the magnitude 1/16.
         is_first_slope("misfit", 0.125, |_| (), [0.35, 2e-3, 0.0, 1.0 + 0.0625 + 0.35]);
         is_first_slope(
             "balance",
@@ -291,9 +267,8 @@ mod tests {
         );
     }
 
-    /// On a piece in contact, (14b) of docs/proof.md bounds 1 + α times the error of the pressure, where the ratio
-    /// α = μ/(S + P) is at least 0.2. So the bound is divided by 1.2. On a piece out of contact, the bound is not
-    /// divided. There, `first_slope` uses the pressure that the ground would exert if the beam were in contact with it.
+    /// In contact, (14b) of docs/proof.md bounds 1 + α times the pressure error, with α = μ/(S + P) ≥ 0.2. So the bound
+    /// is divided by 1.2. On an open piece, it is not divided.
     #[test]
     fn the_pressure_needs_the_slope_and_the_slope_the_pressure() {
         for touches in [true, false] {

@@ -145,9 +145,8 @@ impl Verification {
         contact.or(self.proof.unique.as_ref().err()).or(self.shortfall.as_ref())
     }
 
-    /// Returns the error bounds of the contact edges, forces, reactions and hinges that the document lists. Each list
-    /// has one bound for each number, in the order of the numbers in the document. The name of each list is the key
-    /// under which documents state such bounds.
+    /// Returns the error bounds of the listed contact edges, forces, reactions and hinges, in the order of the
+    /// document. Each list has the key that documents use for it.
     pub fn errors_of_numbers(&self) -> Vec<(&'static str, Vec<f64>)> {
         let (listed, reactions) = (&self.listed, self.proof.reactions.iter());
         let mut errors = vec![
@@ -223,8 +222,7 @@ impl Verification {
         first
     }
 
-    /// Reports the first extreme whose position in the document is wrong. A position is wrong if it is farther than
-    /// 10⁻⁶ of the beam length from all intervals in which the exact extreme may lie.
+    /// Reports the first listed extreme farther than 10⁻⁶ of the beam length from all intervals of its exact position.
     fn misplaced(&self) -> Option<NotProven> {
         let far = 1e-6 * self.proof.scales.length;
         let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
@@ -250,10 +248,8 @@ impl Verification {
     }
 }
 
-/// Reports the first field with a listed number that is too far from the claimed solution. The permitted difference is
-/// 10⁻⁶ of the largest value of the field, plus 10⁻¹¹ of the scale of the field for rounding errors. The scale is a
-/// magnitude that is estimated from loads, pressures and stiffnesses (section 8 of docs/proof.md). It may be much
-/// larger than the values of the field, so 10⁻⁶ of the scale would permit too much.
+/// Reports the first field with a listed number that is too far from the claimed solution. The limit is 10⁻⁶ of the
+/// largest value of the field, plus 10⁻¹¹ of its scale for rounding errors. The scale may far exceed the values.
 fn far<S: Scalar>(
     fields: &Fields<S>,
     differences: &[f64; 8],
@@ -303,9 +299,8 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// A listed number may differ from the claimed solution by 10⁻⁶ of the largest value of its field plus 10⁻¹¹ of the
-    /// scale of its field. In this test the largest deflection is 1, and the largest slope, rotation, moment and shear
-    /// force are 0.
+    /// Checks the limit of `far`: 10⁻⁶ of the largest value plus 10⁻¹¹ of the scale. The largest deflection is 1, and
+    /// the other tested fields are 0.
     #[test]
     fn listed_numbers_are_near_the_numbers_of_the_pieces() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";

@@ -1,9 +1,7 @@
 //! An interval that encloses a real number: a midpoint that is the sum of two doubles (106 bits), and a radius.
 //!
-//! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of
-//! double-word arithmetic*, ACM Transactions on Mathematical Software 44 (2017): the relative error of a sum
-//! in this file is at most 3·2⁻¹⁰⁶, that of a product 5·2⁻¹⁰⁶. Each operation increases the radius by
-//! 16·2⁻¹⁰⁶ times the result.
+//! Each operation increases the radius by 16·2⁻¹⁰⁶ of the result. The rounding error is at most 3·2⁻¹⁰⁶ for a sum and
+//! 5·2⁻¹⁰⁶ for a product (Joldes, Muller and Popescu, *ACM Trans. Math. Softw.* 44 (2017)).
 
 use crate::ball::Ball;
 use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
@@ -124,9 +122,7 @@ impl Mul for Wide {
         let (ch, cl) = two_product(self.h, other.h);
         let cross = self.h * other.l + self.l * other.h;
         let (h, l) = fast_two_sum(ch, cl + cross);
-        // The midpoint is the sum of a double h and a small remainder l, so its size |h + l| may exceed |h| by the
-        // relative rounding error of a double. The radius is multiplied by `ABOVE`, which is large enough to cover
-        // this.
+        // The size |h + l| may exceed |h| by the rounding error of a double. The factor `ABOVE` covers this.
         let propagated =
             magnitude(self.h) * other.r + magnitude(other.h) * self.r + self.r * other.r;
         Wide::new(h, l, (propagated + Wide::rounding(h)) * ABOVE)
@@ -146,10 +142,8 @@ impl Scalar for Wide {
         if !(least > 0.0) {
             return Wide::ALL;
         }
-        // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the error is at most a bound of
-        // the residual a − qb, divided by a lower bound of |b|. The method `size` returns at least 1 + 12u times the
-        // size of the residual, with u = 2⁻⁵³. This factor covers the rounding errors of the last line. The smallest
-        // normal number is added in case the division underflows.
+        // The error of the quotient is the residual divided by the divisor. The factor of at least 1 + 12·2⁻⁵³ in
+        // `size` covers the rounding errors of the last line. The smallest normal number covers underflow.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);
@@ -165,9 +159,8 @@ impl Scalar for Wide {
         if !(self.low() >= 0.0) {
             return Wide::ALL;
         }
-        // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0. The bound
-        // of the rounding error of q² makes the radius of the residual at least 2⁻¹⁰²q². So the residual divided by q
-        // does not underflow in the last line.
+        // The error of the root q is at most the residual divided by q. The radius of the residual is at least 2⁻¹⁰²q²,
+        // so the division does not underflow.
         let first = self.h.sqrt();
         let rest = self.centre() - Wide::of(first).square();
         let (h, l) = fast_two_sum(first, rest.h / (2.0 * first));

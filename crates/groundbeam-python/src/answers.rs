@@ -85,8 +85,8 @@ impl Answers {
         each.map(|alone| (alone.case.name.clone(), alone.stands())).collect()
     }
 
-    /// Returns the smallest and the largest values of a field at positions on the beam, and the indices of the
-    /// governing combinations. If a limit state is given, only the combinations of this limit state count.
+    /// Returns the envelope of a field at positions on the beam: its values, and the indices of the governing
+    /// combinations. If a limit state is given, only its combinations count.
     fn envelope<'py>(
         &self,
         py: Python<'py>,
@@ -137,8 +137,8 @@ impl Answers {
         )
     }
 
-    /// Returns for each passage the combination, the train, the first and last position of the first axle, the
-    /// ranges without equilibrium, and the positions at which the method did not reach its tolerance.
+    /// Returns for each passage: combination, train, range of the first axle, ranges without equilibrium, and positions
+    /// of the first axle without convergence.
     fn passages(&self) -> Vec<(Option<String>, String, [f64; 2], Vec<[f64; 2]>, Vec<f64>)> {
         let each = self.answers.passages().all.into_iter().map(|passage| {
             (

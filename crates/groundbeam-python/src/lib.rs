@@ -1,8 +1,6 @@
-//! The compiled extension of the Python package `groundbeam`: reads and solves models, and returns numbers as
-//! numpy arrays.
+//! The compiled extension of the Python package `groundbeam`: reads and solves models, and returns numpy arrays.
 //!
-//! The public classes are in `python/groundbeam`, with documentation and types. They import this extension as
-//! `_native`.
+//! The documented public classes in `python/groundbeam` import this extension as `_native`.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -217,8 +217,7 @@ impl Model {
         Ok(Answers { read: self.read.clone(), answers, seconds: host.seconds() })
     }
 
-    /// Checks the existence of an equilibrium. Returns the verdict, the static reactions, a rigid-body motion that is
-    /// free or in which the loads do positive work, and a sentence that explains the verdict.
+    /// Checks the existence of an equilibrium. Returns verdict, static reactions, deciding motion and a sentence.
     fn check(&self, combination: Option<&str>) -> Result<Statics, Failure> {
         let combination = self.read.combination(combination)?;
         let model = &combination.model;
@@ -237,7 +236,6 @@ impl Model {
     }
 }
 
-/// Verdict on the existence of an equilibrium, static reactions, motion that decides the verdict, and the verdict as a
-/// sentence. The motion is given by the displacements of the left and the right end of the beam, and the work of the
-/// loads.
+/// Verdict on the existence of an equilibrium, static reactions, deciding motion, and explanation. The motion is given
+/// by the displacements of the left and the right end and by the work of the loads.
 type Statics = (&'static str, Vec<f64>, Option<(f64, f64, f64)>, String);

@@ -1,8 +1,6 @@
 //! Runs work on threads that end with the call, and that Python can stop.
 //!
-//! All threads end with the call, so a process may fork between calls, and the child starts its own threads.
-//! The global pool of `rayon` must not be used here: its threads do not exist in a forked process, so its
-//! work would never end.
+//! The global pool of `rayon` must not be used here. After a fork, its threads do not exist, so its work never ends.
 
 use crate::failure::Failure;
 use groundbeam_run::Host;
@@ -15,9 +13,7 @@ use std::time::{Duration, Instant};
 /// Interval of time at which signals are checked and the progress is reported.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
-/// Returns the number of threads of a call. It is the requested number if it is positive. Otherwise it is the
-/// value of the variable `RAYON_NUM_THREADS`, which the command-line program also uses, or else the number of
-/// processors.
+/// Returns the number of threads: `asked` if positive, else the variable `RAYON_NUM_THREADS`, else one per processor.
 pub fn number(asked: usize) -> usize {
     let of_variable = || {
         let variable = std::env::var("RAYON_NUM_THREADS").ok()?;
@@ -31,8 +27,8 @@ pub fn number(asked: usize) -> usize {
     }
 }
 
-/// Calls `work` for all numbers below `count` and returns the results in the order of the numbers. Each thread
-/// has its own state, which `work` may use as workspace. The results must not depend on the state.
+/// Calls `work` for all numbers below `count` and returns the results in order. Each thread has its own `state` as
+/// workspace. The results must not depend on this state.
 pub fn map<S, T: Send>(
     count: usize,
     threads: usize,

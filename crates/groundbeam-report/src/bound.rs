@@ -33,8 +33,8 @@ impl Around {
         }
     }
 
-    /// Returns an interval that contains the largest or the smallest of several exact numbers. Each number is given by
-    /// an interval that contains it. Returns `None` if there are no numbers.
+    /// Returns an interval that contains the largest or smallest of several numbers, each given by an interval. Returns
+    /// `None` if there are no numbers.
     pub fn extreme(all: impl IntoIterator<Item = Self>, is_max: bool) -> Option<Self> {
         let outer = if is_max { f64::max } else { f64::min };
         let fold =
@@ -56,12 +56,10 @@ impl Around {
 /// Maximum number of significant digits of a double.
 const MOST_DIGITS: i32 = 17;
 
-/// Prints a number with its error bound in a unit, as in `14.226133301 ± 1.3e-9 mm`. Without a finite bound the
-/// number is rounded to six digits and marked as not proven.
+/// Prints a number with its error bound in a unit, as in `14.226133301 ± 1.3e-9 mm`, or marks it as not proven.
 ///
-/// |printed − exact| is at most the printed bound. The printed bound is the error bound of the number plus half a
-/// unit of the last printed digit, rounded up. This half unit is at most a twentieth of the error bound, unless the
-/// number would need more digits than a double has.
+/// The printed bound includes the rounding of the printed number. The rounding adds at most a twentieth of the error
+/// bound if 17 digits are sufficient.
 pub(crate) fn with_bound(value: f64, error: f64, unit: Unit) -> String {
     rounded_with_bound(value, error, unit, MOST_DIGITS)
 }
@@ -98,8 +96,8 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
     format!("{number} ± {bound}{unit}")
 }
 
-/// Rounds `value` to a multiple of 10ⁿ with n = `last`, but to at most `most` digits. Returns the text of the rounded
-/// number divided by 10ᵖ with p = `power`, and a bound of the rounding error. This bound is not divided by 10ᵖ.
+/// Rounds `value` to a multiple of 10^`last`, with at most `most` digits. Returns the result divided by 10^`power` as
+/// text, and a bound of the rounding error of `value`.
 fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64) {
     let leading = exponent(value);
     let digits = (leading - last + 1).min(most);

@@ -62,9 +62,8 @@ impl Characteristics {
         Characteristics { beta, beta_length, shear_length, resultant }
     }
 
-    /// Computes the characteristic numbers of several valid models with the same resultant of the loads. The
-    /// characteristic β and the shear length are ranges over all models. The product βl is that of the first
-    /// model.
+    /// Computes the characteristic numbers of several valid models with the same resultant of the loads. β and the
+    /// shear length are ranges over all models. βl is that of the first model.
     pub(crate) fn of_all(models: &[&Model], existence: &Existence) -> Option<Self> {
         let each = models.iter().map(|model| Characteristics::of(model, existence));
         each.reduce(|all, other| {

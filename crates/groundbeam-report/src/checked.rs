@@ -58,8 +58,7 @@ pub(crate) fn judged(
     checks.into_iter().map(of).collect()
 }
 
-/// Error bound of the value of a check. It is infinite for values that follow from statics (eccentricity,
-/// overturning, force on the effective area), because the proof does not cover these values.
+/// Error bound of the value of a check. It is infinite for values from statics, which the proof does not cover.
 fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limits>) -> f64 {
     match check.what {
         Checked::BearingPressure => {
@@ -197,9 +196,8 @@ impl Verdict {
     }
 }
 
-/// Returns the verdicts on all requested design checks. Each check has one verdict for each limit state with
-/// results, and one for the results without a limit state. A check without any results has one verdict that
-/// says so.
+/// Returns one verdict for each requested design check and each limit state with results. Results without a limit state
+/// count as one more state. A check without any results has one verdict.
 pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     let Some(limits) = limits else { return Vec::new() };
     let judged: Vec<Vec<Judged>> = rows

@@ -87,9 +87,8 @@ pub(crate) fn bound_of_extreme(
     (error, leads)
 }
 
-/// Returns two error bounds: for the smallest and for the largest value of a field at `x` over all
-/// combinations. Each bound takes the values on both sides of `x` into account. `printed` contains the smallest
-/// and the largest value.
+/// Returns the error bounds of `printed`, the smallest and the largest value of a field at `x` over all combinations.
+/// The values on both sides of `x` count.
 pub(crate) fn bounds_at(solved: &[Numbered], field: Field, x: f64, printed: [f64; 2]) -> [f64; 2] {
     [false, true].map(|is_max| {
         let sides = solved.iter().flat_map(|row| {
@@ -122,8 +121,8 @@ pub(crate) fn largest_end_force<'s, 'a>(
     Some((row, most, Around::extreme(all, true)?.error()))
 }
 
-/// Returns the error bounds of three values of one extreme. The first value is for the best estimates of k and
-/// μ. The other values are the smallest and the largest value among all computed pairs (k, μ).
+/// Returns the error bounds of an extreme for the best estimates of k and μ, and of its smallest and largest value over
+/// all pairs (k, μ).
 pub(crate) fn bounds_of_band(
     solved: &[Numbered],
     field: Field,

@@ -16,13 +16,11 @@ use groundbeam::{
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
-/// Returns a CSV table of all fields at the given positions, with the header `x_m, deflection_m, …`. The
-/// values are in base SI units or in the US units of the file. For plain numbers the header has no units. If
-/// a proof is requested, a column with the error bound follows each field: `deflection_bound_m`.
+/// Returns a CSV table of all fields at the given positions, with the header `x_m, deflection_m, …`. If a proof is
+/// requested, a column such as `deflection_bound_m` follows each field.
 ///
-/// Where a field jumps (at point loads, supports and contact edges), the position has two rows. The first row
-/// contains the values just to the left, the second row those just to the right. Numbers have enough digits
-/// to be read back as the same bits. Without a proof, a value that is only rounding error is written as 0.
+/// Where a field jumps, the position has two rows: the values just left of it, then those just right of it. In SI
+/// units, numbers are read back as the same bits. Without a proof, a value that is only rounding error is written as 0.
 pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
     let (units, proof) = (context.units, context.proofs.first());
@@ -53,13 +51,11 @@ pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> Strin
     rows.finish()
 }
 
-/// Returns a CSV table of the envelope of all combinations at the given positions, with the header
-/// `x_m, deflection_min_m, deflection_max_m, deflection_governs_min, deflection_governs_max, …`. If proofs
-/// are requested, the error bounds follow the values: `deflection_min_bound_m, deflection_max_bound_m`.
+/// Returns a CSV table of the envelope of all combinations, with columns such as `deflection_min_m` and
+/// `deflection_governs_min`. With proofs, columns such as `deflection_min_bound_m` are added.
 ///
-/// Where a field jumps, the envelope includes the values on both sides of the jump. If combinations have
-/// limit states, the last column contains the limit state of the row. The rows for `all` combinations come
-/// first; the rows for each limit state follow.
+/// The values on both sides of a jump count. If combinations have limit states, the rows for each limit state follow
+/// the rows for `all` combinations, and the last column contains the limit state.
 pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> String {
     let (units, solved) = (context.units, numbered(answers, context));
     let have_bounds = !context.proofs.is_empty();
@@ -103,10 +99,9 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
     enveloped(names, answers.limit_states(), of_state, positions, units)
 }
 
-/// Returns a CSV table of the envelope of passages at the given sections, with the columns of [`envelope`].
-/// Columns such as `deflection_governs_min` contain the position of the train's first axle at which the
-/// extreme value occurs. With several passages, additional columns such as `deflection_in_min` contain the
-/// label of the passage in which it occurs.
+/// Returns a CSV table of the envelope of passages, with rows as in [`envelope`]. Columns such as
+/// `deflection_governs_min_m` contain the position of the first axle. With several passages, columns such as
+/// `deflection_in_min` contain the label of the passage.
 pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let place = units.column(Kind::Position);
     let labels: Vec<String> = passages.all.iter().map(Passage::label).collect();
@@ -142,10 +137,8 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     enveloped(names, passages.limit_states(), of_state, sections, units)
 }
 
-/// Returns the CSV table of an envelope: first the rows over all results, then the rows over the results of
-/// each limit state. `of_state` takes a limit state, or `None` for all results, and returns a function. The
-/// returned function takes a position of the beam and returns the cells of the row at this position, or `None`
-/// if no result has a solution. A row without cells is omitted.
+/// Returns the CSV table of an envelope: the rows over all results, then those of each limit state. The function that
+/// `of_state` returns gives the cells of the row at a position, or `None` to omit the row.
 fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
     names: impl Iterator<Item = String>,
     states: LimitStates,
@@ -172,9 +165,8 @@ fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
 
 /// Returns a CSV table of all steps of the iteration, with the header `step, zones, part, decrement`.
 ///
-/// `zones` is the number of contact zones. `part` is the accepted fraction of the full Newton step; for Uzawa's
-/// iteration it is the step parameter ρ. `decrement` is the relative size of the change in the step, as defined
-/// in [`groundbeam::Step`].
+/// `zones` counts the contact zones. `part` is the accepted fraction of the Newton step, or Uzawa's step parameter ρ.
+/// [`groundbeam::Step`] defines `decrement`.
 pub fn history(solution: &Solution) -> String {
     let mut rows = Rows::new();
     rows.push(["step", "zones", "part", "decrement"].map(str::to_owned));

@@ -8,12 +8,10 @@ pub(crate) fn digest(text: &str) -> String {
     Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The digest of a model file and of the table files to which it refers, as `sha256:` and 64 hexadecimal
-/// digits.
+/// The digest of a model file and its table files, as `sha256:` and 64 hexadecimal digits.
 ///
-/// Without table files, the digest is the SHA-256 digest of the bytes of the model file. With table files, it
-/// is the SHA-256 digest of a text that has one line with the digest of each file. The first line is that of
-/// the model file; the lines of the table files follow in the order in which the model names them.
+/// Without table files, it is the SHA-256 digest of the model file. Otherwise, it is that of a text with the digest of
+/// each file on its own line: model file first, then table files in the order of the model.
 pub fn model_digest(document: &Document) -> String {
     let tables = document.files.iter().map(|file| file.text.as_str());
     of_files(document.text(), tables)

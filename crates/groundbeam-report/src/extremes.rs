@@ -97,8 +97,8 @@ fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>)
 /// magnitudes of the fields are computed once for each train position.
 pub(crate) struct Rounding<'a> {
     passages: Passages<'a>,
-    /// Typical magnitudes of the fields at a train position. The key is the index of the passage and the bit
-    /// pattern of the position of the first axle. The value is `None` if the passage has no solution.
+    /// Magnitudes of the fields at a train position; `None` without a solution. The key is the index of the passage and
+    /// the bits of the position of the first axle.
     sizes: BTreeMap<(usize, u64), Option<Sizes>>,
 }
 

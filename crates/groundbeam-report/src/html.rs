@@ -33,8 +33,7 @@ const TEMPLATE: &str = include_str!("../templates/report.html");
 /// Style sheet for screen and paper.
 const STYLE: &str = include_str!("../templates/report.css");
 
-/// Returns a report as one HTML file. Without `paper`, the browser's default paper size applies. Equal
-/// reports give equal bytes.
+/// Returns a report as one HTML file. Without `paper`, the browser chooses the paper size.
 ///
 /// # Errors
 ///

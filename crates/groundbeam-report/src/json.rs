@@ -1,11 +1,9 @@
 //! Writes the result document as one JSON object, in SI units or in the consistent system of units of the file.
 //!
-//! Numbers have enough digits to be read back as the same bits. Infinite numbers and NaN are written as
-//! `null`. The order of the keys is fixed.
+//! Numbers are read back as the same bits. Infinite numbers and NaN are written as `null`.
 //!
-//! The list `stations` contains each position once. Where a field jumps, the list contains the value just to
-//! the right of the position (at x = l just to the left). The table of [`csv`](crate::csv) contains both
-//! sides of a jump.
+//! Where a field jumps, `stations` contains the value just right of the position (at x = l just left). The table of
+//! [`csv`](crate::csv) contains both sides.
 
 mod bounds;
 mod checks;

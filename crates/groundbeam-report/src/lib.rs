@@ -5,8 +5,8 @@
 //! | [`text`] | a report for the terminal, at most 80 columns wide |
 //! | [`json`] | the result document |
 //! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
-//! | [`calculation`] | the content of the calculation report; [`html`] writes this content as one printable file |
-//! | [`svg`] | one picture: the beam on its ground, pressure, moment, shear, as SVG or as [PNG](svg::Picture::png) |
+//! | [`calculation`] | the content of the calculation report; [`html`] writes it as one file |
+//! | [`svg`] | one picture of a solution, as SVG or as [PNG](svg::Picture::png) |
 //!
 //! ```
 //! use groundbeam::{Beam, Foundation, Load, Model, Outcome};
@@ -22,9 +22,9 @@
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 //!
-//! [`Results`] writes all of these texts from the [`Answers`](groundbeam_run::Answers) to a model file. The functions
-//! named `combinations` write the envelope of combinations of load cases. The functions named `trains` write the
-//! envelope of [`Passages`](groundbeam_run::Passages).
+//! [`Results`] writes all of these texts from the [`Answers`](groundbeam_run::Answers) to a model file. Functions named
+//! `combinations` write envelopes of load combinations. Functions named `trains` write envelopes of
+//! [`Passages`](groundbeam_run::Passages).
 //!
 //! This crate reads no clock, no file and no environment variable. Equal results give equal bytes.
 

@@ -7,8 +7,7 @@ use crate::verified::Named;
 use groundbeam::proof::{Bound, PlacedExtreme, ReactionBound, Verification};
 use groundbeam::{Field, Solution, solution::Extreme};
 
-/// Maximum width, relative to the beam length, of a narrow interval for the position of an extreme. A narrow
-/// interval is printed as a value with an error bound. A wider interval is printed with its two ends.
+/// Maximum width, relative to the beam length, of an interval that is printed as one position with an error bound.
 const NARROW: f64 = 1e-3;
 
 /// Formats the numbers of one solution.
@@ -105,9 +104,8 @@ impl<'a> Numbers<'a> {
         if self.have_bounds() { not_proven(&place) } else { place }
     }
 
-    /// Formats the position of the largest gap in one lift-off zone. The proof bounds only the position of the
-    /// largest gap under the whole beam. In the zones that do not contain this gap, the position is formatted
-    /// without a proven bound.
+    /// Formats the position of the largest gap in a lift-off zone. It has a proven bound only in the zone with the
+    /// largest gap of the whole beam.
     pub fn place_of_gap(&self, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let largest = |e: &PlacedExtreme| e.field == Field::Gap.name() && e.is_max && e.listed == x;

@@ -22,12 +22,11 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 impl Picture {
-    /// Returns the picture as the bytes of a PNG file. One unit of length of the SVG file is two pixels wide in
-    /// the PNG file.
+    /// Returns the picture as the bytes of a PNG file, with two pixels for one unit of length of the SVG file.
     ///
     /// # Errors
     ///
-    /// Returns an error if there is not enough memory for the pixels.
+    /// Returns an error if there is not enough memory.
     pub fn png(&self) -> Result<Vec<u8>, Error> {
         let tree = Tree::from_str(&outlined(self), &Options::default());
         let tree = tree.map_err(|error| Error(error.to_string()))?;

@@ -15,9 +15,8 @@ pub struct Results<'a> {
 }
 
 impl<'a> Results<'a> {
-    /// Combines the results of a model file with the other data of a report. The ground and the load factors in
-    /// `context` are replaced by those of the results. For a single model, a measured duration of the solve is
-    /// also taken from the results.
+    /// Combines results with the other data of a report. The results replace ground, load factors and combination of
+    /// `context`. A measured duration of a single model also replaces `seconds`.
     pub fn new(answers: &'a Answers, context: Context<'a>) -> Self {
         let (ground, factors) = match (answers.asked, answers.list.first()) {
             (Asked::One, Some(one)) => (one.ground.as_ref(), one.factors.as_ref()),

@@ -26,8 +26,8 @@ impl Sizes {
         let force = load_size(model) + reactions.sum::<f64>();
         let length = model.beam.length;
         let deflection = largest(Field::Deflection).max(largest(Field::Settlement));
-        // `force` counts every applied moment, even if the moments balance each other and cause no contact
-        // pressure. Then k times the largest deflection is the smaller and better estimate of the pressure.
+        // `force` includes moments that balance each other and cause no pressure. Then k times the deflection is the
+        // better estimate of the pressure.
         let (subgrade, _) = model.foundation.largest();
         let pressure = (force / length).min(subgrade * deflection);
         Sizes { length, force, deflection, pressure }

@@ -13,8 +13,7 @@ pub(crate) use hinged::falls;
 pub use wording::verdict_name;
 pub(crate) use wording::wording;
 
-/// The reason why there is exactly one equilibrium, more than one equilibrium, or none, as a sentence without a
-/// full stop.
+/// The reason why there is exactly one equilibrium, more than one or none, as a sentence without a full stop.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};

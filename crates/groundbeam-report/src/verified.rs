@@ -75,8 +75,7 @@ impl Named {
         listed.map_or(f64::INFINITY, |ends| ends[end])
     }
 
-    /// Error bound of the lifted share, which is the total length of the lift-off zones divided by the beam
-    /// length l. The error bound is the sum of the error bounds of all contact edges, divided by l, plus the
+    /// Error bound of the lifted share: the error bounds of all contact edges, divided by the beam length, plus the
     /// rounding error. For n lift-off zones, the rounding error is at most (n + 8)·2⁻⁵² of the lifted share.
     pub(crate) fn error_of_lifted_share(&self, solution: &Solution) -> f64 {
         let Ok(found) = &self.found else { return f64::INFINITY };

@@ -100,11 +100,11 @@ impl Overall {
 }
 
 impl Found {
-    /// Converts the outcome of a solve. A solve that does not converge gives [`Found::NotConverged`].
+    /// Converts the outcome of a solve. [`Error::NotConverged`] becomes [`Found::NotConverged`].
     ///
     /// # Errors
     ///
-    /// Returns [`Error::Invalid`], [`Error::Unsupported`] and [`Error::TooLarge`] unchanged.
+    /// Returns all other errors unchanged.
     pub fn of(solved: Result<Outcome, Error>) -> Result<Self, Error> {
         match solved {
             Ok(Outcome::Equilibrium(solution)) => Ok(Found::Equilibrium(Arc::from(solution))),

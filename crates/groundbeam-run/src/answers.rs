@@ -28,8 +28,7 @@ pub enum Asked {
 pub struct Answers {
     /// The kind of request.
     pub asked: Asked,
-    /// Answers in the order of the combinations. The answers for one combination are in the order of the
-    /// trains, and the answers for one train are in the order of its positions from left to right.
+    /// Answers in the order of the combinations, then of the trains, then of the train positions from left to right.
     pub list: Vec<Answer>,
     /// Results for each load case alone, which may have no equilibrium.
     pub alone: Vec<Alone>,

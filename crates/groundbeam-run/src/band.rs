@@ -20,10 +20,9 @@ pub struct Banded {
 pub const BEST: [f64; 2] = [1.0, 1.0];
 
 impl Answers {
-    /// The smallest and the largest value of each field over all combinations, in the order of [`Field::ALL`].
-    /// Each value is given for the best estimates of k and μ, with its range over all pairs of k and μ for which the
-    /// model was solved. `None` if the file gives no factors on k and μ, or if no combination is solved with the best
-    /// estimates of k and μ.
+    /// The smallest and the largest value of each field, in the order of [`Field::ALL`], for the best estimates of k
+    /// and μ. Each value has its range over all solved pairs of k and μ. `None` if no combination is solved with the
+    /// factors [`BEST`].
     pub fn bands(&self) -> Option<ByField<[Banded; 2]>> {
         let mut grounds = vec![BEST];
         for ground in self.solved().filter_map(|(answer, _)| answer.label.combination.ground) {

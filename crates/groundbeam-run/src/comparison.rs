@@ -34,12 +34,12 @@ impl Compare {
 }
 
 impl Run {
-    /// Solves the model of the first combination by the method `exact`. If an equilibrium exists, the other
-    /// methods also solve this model. A method that cannot solve the model has the result [`Found::Unsolved`].
+    /// Solves the model of the first combination by the method `exact`. If this gives an equilibrium, all other methods
+    /// solve the model too. A method that cannot solve it has the result [`Found::Unsolved`].
     ///
     /// # Errors
     ///
-    /// Returns the errors of the method `exact` for this model.
+    /// Returns the errors of the method `exact`, and [`Error::Invalid`] of every method.
     pub fn compare(&self, compare: Compare, host: &impl Host) -> Result<Answers, Error> {
         let Compare { elements, most_sweeps, memory_limit } = compare;
         let mut answers = Answers { asked: Asked::Methods, ..self.nothing() };
@@ -71,8 +71,8 @@ impl Run {
     }
 }
 
-/// Errors of an answer, compared with the solution of the exact method. The error of a field is its largest difference
-/// along the beam, divided by the largest absolute value of the field in the exact solution.
+/// Errors of an answer: the largest differences from the exact method along the beam, relative to the field's largest
+/// absolute value. The pressure is not compared, because it jumps at contact edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Errors {
@@ -82,9 +82,7 @@ pub struct Errors {
     pub moment: f64,
     /// Error of the settlement of the ground under the beam.
     pub settlement: f64,
-    /// Larger of the errors of the two concentrated forces of the ground at the ends of the beam, relative to
-    /// the resultant of the loads. There is no error of the pressure, because the pressure jumps at contact
-    /// edges.
+    /// Larger error of the two concentrated forces at the ends of the beam, relative to the resultant of the loads.
     pub end_forces: f64,
 }
 

@@ -9,8 +9,7 @@ pub trait Host: Sync {
     /// Reason for an early stop.
     type Stop;
 
-    /// Calls `work` for the numbers from 0 to `count - 1` on any number of threads. Returns the results in the
-    /// order of these numbers.
+    /// Calls `work` for the numbers from 0 to `count - 1` on any threads. Returns the results in this order.
     ///
     /// # Errors
     ///

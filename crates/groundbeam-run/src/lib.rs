@@ -1,9 +1,7 @@
 //! Solves all models that a model file defines.
 //!
-//! A [`Run`] contains one model, or all combinations of load cases with all requested values of k and μ, or
-//! trains that move over the beam under these combinations. [`Run::solve`] returns [`Answers`], with a list of
-//! [`Answer`]s. Each [`Label`] names the combination, the train with its position, and the method of an answer.
-//! [`Run::check`] only decides whether an equilibrium exists. [`Run::compare`] solves one model with every
+//! A [`Run`] contains one model, all combinations, or trains that move over the beam under them. [`Run::solve`] returns
+//! [`Answers`]. [`Run::check`] only decides whether an equilibrium exists. [`Run::compare`] solves one model with every
 //! method.
 //!
 //! The [`Host`] provides threads, a clock and a display of progress. The answers do not depend on the host.

@@ -23,8 +23,7 @@ pub struct Run {
     options: Options,
     growing: Option<Growing>,
     error: f64,
-    /// Whether the model is solved for several arrangements of the distributed train loads of infinite length, for
-    /// example with only the loads behind the train. If so, each named combination is also solved without a train.
+    /// Whether the three rules of `ways` for combinations and trains apply.
     placed_loads: bool,
 }
 
@@ -209,10 +208,9 @@ impl Run {
     /// Returns all pairs of a combination and a train that must be solved. If `placed_loads` is true, three rules
     /// apply:
     ///
-    /// * The loads of a train are multiplied by the combination's factor for the load case of the train.
-    /// * A train with distributed loads of infinite length gives one pair for each arrangement of these loads, for
-    ///   example with only the loads behind the train.
-    /// * If there are trains, each named combination is also paired with a train that has no loads.
+    /// * The load factor of the combination multiplies the loads of the train.
+    /// * Each arrangement of the loads of infinite length gives one pair (*Loads without end* in docs/moving-loads.md).
+    /// * Each named combination is also paired with a train that has no loads.
     fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
         let mut ways = Vec::new();
         for combination in &self.combinations {

@@ -4,8 +4,7 @@ use crate::answer::{Answer, Found, Ground, Label};
 use crate::host::Host;
 use groundbeam::{Error, Options, Solution, solve_near};
 
-/// Solves the model that `label` describes: a combination, and a train at one position if there is a train.
-/// `width` is the bearing width of the beam. The iteration starts from the solution `near` if it is given.
+/// Solves the model of `label` with the bearing width `width`. The iteration starts from the solution `near` if given.
 pub(crate) fn answered(
     label: Label,
     width: Option<f64>,

@@ -35,9 +35,8 @@ pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
         Distribution::Normal { mean, deviation } => mean + deviation * z,
         Distribution::Lognormal { mean, deviation } => lognormal(mean, deviation, z),
         Distribution::Gumbel { mean, deviation } => {
-            // The Gumbel distribution F(x) = exp(−exp(−(x − m)/b)) with mode m and scale b is solved for x at
-            // F(x) = Φ(z). Φ is the cumulative probability of the standard normal distribution. For z ≥ 0,
-            // ln Φ(z) is computed as ln(1 − Φ(−z)), which avoids cancellation.
+            // Solves exp(−exp(−(x − mode)/scale)) = Φ(z) for x, with the standard normal distribution Φ. For z ≥ 0, ln
+            // Φ(z) is computed as ln(1 − Φ(−z)), which avoids cancellation.
             let scale = deviation * 6.0_f64.sqrt() / PI;
             let exponent = if z < 0.0 { -probability(z).ln() } else { -(-probability(-z)).ln_1p() };
             mean - scale * (EULER + exponent.ln())
@@ -77,9 +76,8 @@ mod tests {
         }
     }
 
-    /// Tests the mean and the standard deviation of every distribution. The moments are integrated over the
-    /// standard normal variable z by the trapezoidal rule. The error of this rule is below rounding error for
-    /// smooth functions times exp(−z²/2).
+    /// Tests mean and standard deviation of every distribution. The error of the trapezoidal rule is below rounding
+    /// error for smooth functions times exp(−z²/2).
     #[test]
     fn every_distribution_has_the_given_mean_and_deviation() {
         let step = 0.01;

@@ -61,8 +61,7 @@ pub struct Draw {
 }
 
 impl Draws {
-    /// Creates the samples of a study. `plan` may differ from the plan of the study file in the number of samples
-    /// and in the seed.
+    /// Creates the samples of a study. `plan` may have another number of samples and another seed than the study file.
     ///
     /// # Errors
     ///
@@ -136,9 +135,8 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // Each sample has a sequence of standard normal numbers. Over all samples, the numbers at the start of this
-        // sequence are distributed most evenly. They are therefore used for the first and largest term in the
-        // series of each random field, the next numbers for the second terms, and so on.
+        // The first numbers of a sample are distributed most evenly over all samples. So every random field uses them
+        // for its first and largest terms.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))

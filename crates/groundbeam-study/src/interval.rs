@@ -6,8 +6,8 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 /// The confidence level of an interval.
 const CONFIDENCE: f64 = 0.95;
 
-/// Computes Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence
-/// level. The lower end belongs to `low` events in `total` samples, and the upper end to `high` events.
+/// Computes Clopper and Pearson's interval (*Biometrika* 26 (1934)). The lower end belongs to `low` events in `total`
+/// samples, and the upper end to `high` events.
 pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
     // At the lower end of the interval, the probability of `low` or more events is (1 − `CONFIDENCE`)/2. At the
     // upper end, the probability of `high` or fewer events has this value.
@@ -16,13 +16,11 @@ pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
     Interval { bounds: [lower, upper], by: Way::Counts }
 }
 
-/// Computes the odds x/(1 − x) of the lower confidence limit x for the probability of an event. If an event has the
-/// probability x, then `count` or more events occur in `total` samples with the probability
-/// (1 − confidence level)/2. Returns `None` for `count` = 0.
+/// Computes the odds of the lower confidence limit of a probability; `None` for `count` = 0. At this limit, `count` or
+/// more events have the probability (1 − `CONFIDENCE`)/2.
 ///
-/// The limit x is a quantile of the beta distribution and is found by bisection. The tails of the binomial
-/// distribution are summed as series of positive terms, which are accurate for any numbers; continued fractions
-/// fail from about 10⁹ samples on.
+/// The sums of positive terms are accurate for any numbers. Continued fractions of the beta distribution fail from
+/// about 10⁹ samples on.
 fn least_odds(count: u64, total: u64) -> Option<f64> {
     if count == 0 {
         return None;
@@ -44,13 +42,11 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
     }
 }
 
-/// Whether the probability of `count` or more events in `total` samples exceeds `wanted`. The terms of the
-/// probability are added one by one. Each term is the previous term times (total − j) odds / (j + 1), where the
-/// previous term belongs to j events.
+/// Whether the probability of `count` or more events in `total` samples exceeds `wanted`, which is less than one half.
 fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     if count <= total * (odds / (1.0 + odds)) {
-        // The count is at most the mean of the binomial distribution and therefore at most its median (Kaas and
-        // Buhrman, *Stat. Neerl.* 34 (1980)). So the probability of `count` or more events is at least one half.
+        // A count up to the mean is at most the median (Kaas and Buhrman, *Stat. Neerl.* 34 (1980)). So the probability
+        // is at least one half.
         return true;
     }
     let mut term = exactly(count, total, odds);
@@ -66,17 +62,15 @@ fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     sum > wanted
 }
 
-/// Computes the probability of exactly `count` events in `total` samples, where an event has the probability
-/// odds/(1 + odds). Uses Stirling's formula with its remainder (Loader, *Fast and accurate computation of
-/// binomial probabilities* (2000)).
+/// Computes the probability of exactly `count` events in `total` samples by Stirling's formula with its remainder
+/// (Loader, *Fast and accurate computation of binomial probabilities* (2000)).
 fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     let other = total - count;
     let expected = [odds, 1.0].map(|share| total * (share / (1.0 + odds)));
     // `more` is the excess of the count over its mean. It is computed from the rarer outcome, whose rounding
     // error is smaller.
     let more = if odds < 1.0 { count - expected[0] } else { expected[1] - other };
-    // `distance` is the sum of n ln(n/E) over two groups: the samples with the event and the samples without it. n is
-    // the number of samples in the group, and E is the expected value of n.
+    // Sum of n ln(n/E) over the samples with and without the event, with their number n and the expected number E.
     let distance = count * (more / expected[0]).ln_1p()
         + if other > 0.0 { other * (-more / expected[1]).ln_1p() } else { 0.0 };
     if other == 0.0 {
@@ -114,9 +108,8 @@ pub fn of_replicates(values: &[f64]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// The first three expected intervals are those of `scipy.stats.binomtest(k, n).proportion_ci()`. The other
-    /// intervals follow from tails of the binomial distribution, summed by mpmath with 30 digits. SciPy 1.17 is
-    /// wrong in the eighth digit for 1 event in 10⁹ samples.
+    /// The first three intervals are from `scipy.stats.binomtest(k, n).proportion_ci()`, the others from mpmath with 30
+    /// digits. SciPy 1.17 is wrong in the eighth digit for 1 event in 10⁹ samples.
     #[test]
     fn intervals_of_counts_agree_with_reference_values() {
         for (count, total, low, high) in [

@@ -2,14 +2,14 @@
 //!
 //! | item | purpose |
 //! |---|---|
-//! | [`Draws`] | random numbers of sample i of a study, which depend only on the seed and on i |
+//! | [`Draws`] | random numbers of sample i, which depend only on the seed and on i |
 //! | [`Wanted`], [`Row`] | stored values of a solution |
 //! | [`run()`] | solves the samples part by part, and can be resumed |
 //! | [`merge()`] | merges parts and shards |
 //! | [`verify()`] | compares a file of results with its checksums |
-//! | [`summary()`] | computes probabilities with their confidence intervals, means and quantiles |
+//! | [`summary()`] | computes probabilities with confidence intervals, means and quantiles |
 //!
-//! A study file is read by [`groundbeam_file::study`].
+//! [`groundbeam_file::study`] reads a study file.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -20,8 +20,8 @@ pub enum Stage {
 pub struct Progress {
     /// The present stage.
     pub stage: Stage,
-    /// Number of completed units of work. Depending on the stage, a unit is a sample that was verified, solved or
-    /// merged, or a column of a row group that was read. Samples solved in earlier runs are included.
+    /// Number of completed units of work, with those of earlier runs. In the summary, a unit is a column of a row
+    /// group. In other stages, it is a sample.
     pub done: u64,
     /// Number of units of work that were completed before this run.
     pub before: u64,

@@ -60,9 +60,8 @@ pub enum Finished {
 
 /// Solves the samples of a study that are not solved yet, and writes one file.
 ///
-/// The file depends on the study only. It does not depend on the number of threads or interruptions. If `threads`
-/// is 0, the run uses one thread per processor. `watch` receives the progress and may stop the run; every solved
-/// sample is then stored. If the process is killed, at most two seconds of work are lost.
+/// The file does not depend on the number of threads or interruptions. If `threads` is 0, the run uses one thread per
+/// processor. `watch` may stop the run; every solved sample is then stored.
 ///
 /// # Errors
 ///

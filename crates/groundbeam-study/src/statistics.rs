@@ -1,8 +1,7 @@
 //! Computes the mean, standard deviation, quantiles and histogram of a series of numbers in three passes with bounded memory.
 //!
-//! The first pass gives the mean, the standard deviation and the range ([`Moments`]). The second pass counts the
-//! numbers in many fine bins, which are equal parts of the range ([`Counted`]). The third pass collects the numbers
-//! in the few fine bins that contain a quantile ([`Ranked`]). The results are exact.
+//! The passes give mean and range ([`Moments`]), counts in many fine bins ([`Counted`]), and the numbers in the bins
+//! that contain a quantile ([`Ranked`]). The results are exact.
 
 use std::collections::BTreeMap;
 
@@ -46,8 +45,7 @@ impl Moments {
         (self.count > 0).then_some(self.range[1])
     }
 
-    /// Ends the first pass over the numbers, which gives mean, standard deviation and range, and starts the second
-    /// pass, which counts the numbers in fine bins. Returns `None` if no number was added.
+    /// Starts the second pass over the numbers, which counts them in fine bins. Returns `None` if no number was added.
     pub fn counted(self) -> Option<Counted> {
         (self.count > 0).then(|| Counted { moments: self, parts: vec![Part::EMPTY; PARTS] })
     }
@@ -175,8 +173,7 @@ impl Ranked {
     }
 
     /// Counts the numbers in each bin of a histogram. The bin width is about that of Freedman and Diaconis, *Z.
-    /// Wahrscheinlichkeitstheorie* 57 (1981): twice the interquartile range, divided by the cube root of the number
-    /// of values.
+    /// Wahrscheinlichkeitstheorie* 57 (1981).
     fn histogram(&self, [lower, upper]: [f64; 2]) -> Vec<u64> {
         let Moments { count, range: [least, most], .. } = self.counted.moments;
         let width = 2.0 * (upper - lower) / (count as f64).cbrt();

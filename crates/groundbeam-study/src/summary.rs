@@ -20,8 +20,7 @@ const ENOUGH: u64 = 10;
 ///
 /// # Errors
 ///
-/// Fails if the file cannot be read or does not contain all samples of the study. Returns [`StoreError::Stopped`]
-/// if `watch` stops the work.
+/// Fails if the file cannot be read or lacks samples. Returns [`StoreError::Stopped`] if `watch` stops the work.
 pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, StoreError> {
     let table = Table::of(draws);
     let plan = draws.plan();
@@ -209,9 +208,8 @@ impl Tally {
         Tally { statuses: [0; Status::ALL.len()], happenings, samples: 0, each }
     }
 
-    /// Adds the statuses and events of the next samples to the counts. The samples must be passed in the order of
-    /// their numbers. In a sample without equilibrium, every event counts as occurred; in a sample without a result,
-    /// as unknown.
+    /// Counts the statuses and events of the next samples, in the order of their numbers. An event counts as occurred
+    /// without equilibrium, and as unknown without a result.
     fn add(&mut self, statuses: &[Status], columns: &[Vec<f64>]) {
         for (i, status) in statuses.iter().enumerate() {
             self.statuses[*status as usize] += 1;

@@ -39,10 +39,8 @@ impl Symmetric {
         Some(root)
     }
 
-    /// Computes all eigenvalues and eigenvectors. Reflections make the matrix tridiagonal, and rotations make it
-    /// diagonal (Golub and Van Loan, *Matrix computations*, 4th edition, algorithms 8.3.1 and 8.3.3).
-    ///
-    /// The error of each eigenvalue is a few machine epsilons times the largest absolute eigenvalue.
+    /// Computes all eigenvalues and eigenvectors (Golub and Van Loan, *Matrix computations*, 4th edition, algorithms
+    /// 8.3.1 and 8.3.3). The error of an eigenvalue is a few machine epsilons times the largest absolute eigenvalue.
     pub fn eigen(mut self) -> Eigen {
         // The matrix is scaled so that squares of small entries do not underflow.
         let entries = self.rows.iter().flatten();
@@ -123,10 +121,8 @@ impl Tridiagonal {
         }
     }
 
-    /// Performs one step of the QR algorithm, which replaces T = QR + σI by RQ + σI. The first rotation clears the
-    /// first column of T − σI below the diagonal, and the other rotations restore the tridiagonal form. The shift σ
-    /// is the eigenvalue of the last two rows and columns of T that is nearer to the last entry of the diagonal
-    /// (Wilkinson).
+    /// Performs one QR step on the rows `first` to `last`, with the shift of Wilkinson: the eigenvalue of the last two
+    /// rows and columns that is nearer to the last diagonal entry.
     fn step(&mut self, first: usize, last: usize) {
         let (d, e) = (&mut self.diagonal, &mut self.beside);
         let half = 0.5 * (d[last - 1] - d[last]);

@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The environment variable that names required tools. A test fails instead of being skipped if a required tool is
-/// missing. The value is `all`, or names from `python`, `browser` and `wasm`, separated by commas.
+/// Environment variable with the required tools (`python`, `browser`, `wasm`, separated by commas, or `all`). Tests
+/// fail if a required tool is missing.
 const DEMAND: &str = "GROUNDBEAM_DEMAND";
 
 /// Returns a Python interpreter with the needed packages. Its virtual environment is created in the folder
@@ -61,7 +61,7 @@ pub fn succeed(command: &mut Command) {
 ///
 /// # Panics
 ///
-/// Panics if the tools are missing and `GROUNDBEAM_DEMAND` names them.
+/// Panics if `GROUNDBEAM_DEMAND` names the missing tools.
 pub fn tools_or_skip<T>(tools: Result<T, String>, name: &str, subject: &str) -> Option<T> {
     let why = match tools {
         Ok(tools) => return Some(tools),

@@ -1,7 +1,6 @@
 //! Solves the model of a result document again, proves the results of the document, and writes all computed numbers as text.
 //!
-//! Two platforms give the same text if all numbers are equal bit by bit. A double is written as the
-//! shortest decimal that reads back as the same double, and every NaN as `NaN`.
+//! Two platforms give equal texts if their numbers are equal bit by bit. Every NaN is written as `NaN`.
 
 #![cfg_attr(not(target_family = "wasm"), forbid(unsafe_code))]
 
@@ -10,11 +9,11 @@ mod module;
 
 use groundbeam_proof::{Ball, Document, Enclosing, Log, Wide, read_model, verify_and_log};
 
-/// Solves the model that a result document contains, and proves the result in this document twice: in the number type
-/// `Wide` and in the number type `Ball`. Returns the solution and both proofs with their logs.
+/// Returns the solution of the model in a result document, and the proofs of the result in the number types `Wide` and
+/// `Ball` with their logs.
 ///
-/// The input has three parts separated by zero bytes: the text of the model file, the name of the load combination
-/// (which may be empty), and the document of one result.
+/// `input` contains the text of the model file, the name of the load combination (may be empty) and the document of one
+/// result, separated by zero bytes.
 pub fn results(input: &str) -> String {
     let parts: Vec<&str> = input.split('\0').collect();
     let [file, combination, document] = parts[..] else {

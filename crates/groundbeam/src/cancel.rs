@@ -3,11 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A flag that stops a solve. All clones share one flag; the default flag cannot be set.
+/// A flag that stops a solve. All clones share one flag. The default flag cannot be set.
 ///
-/// A solve checks the flag in every step. If the flag is set when a solve ends, the solve returns
-/// [`Error::Cancelled`](crate::Error::Cancelled) and no solution. A flag that is not set changes no bit of a
-/// solution.
+/// A solve checks the flag in every step and at its end. If the flag is set, the solve returns
+/// [`Error::Cancelled`](crate::Error::Cancelled).
 ///
 /// ```
 /// use groundbeam::{Beam, Cancel, Error, Foundation, Load, Model, Options, solve_with};

@@ -1,13 +1,12 @@
 //! Solves beams in unilateral contact with the ground.
 //!
-//! This crate solves the unilateral contact of a bending beam with a Pasternak foundation. Its solutions are
-//! exact up to rounding error, and each has a proven error bound.
+//! The ground is a Pasternak foundation. The solutions are exact up to rounding error and have a proven error bound.
 //!
 #![doc = include_str!("../problem.md")]
 //!
-//! [`solve()`] takes a [`Model`] and returns an [`Outcome`]. The outcome is a [`Solution`] with its
-//! [`Certificate`], or the verdict that no equilibrium exists, with the [`RigidMotion`](existence::RigidMotion)
-//! that proves it. An invalid model returns an [`Error`].
+//! [`solve()`] takes a [`Model`] and returns an [`Outcome`]: a [`Solution`] with its [`Certificate`], or the
+//! [`RigidMotion`](existence::RigidMotion) or buckling mode that proves that no equilibrium exists. An invalid model
+//! returns an [`Error`].
 //!
 //! ```
 //! use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve};

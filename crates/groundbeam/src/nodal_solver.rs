@@ -27,9 +27,8 @@ impl NodalSolver {
         Self::default()
     }
 
-    /// Solves the contact problem on about `elements` elements. Between two neighbouring nodes that the model
-    /// requires, the elements have equal length. If no equilibrium exists, `into` is unchanged. After an error, the
-    /// content of `into` is undefined.
+    /// Solves the contact problem on about `elements` elements. If no equilibrium exists, `into` is unchanged. After an
+    /// error, the content of `into` is undefined.
     ///
     /// # Errors
     ///
@@ -73,8 +72,8 @@ impl NodalSolver {
         self.finish(model, into)
     }
 
-    /// Solves a model with the solution of a similar model in `into` as initial guess. If both models have the
-    /// same number of nodes, the contact zones in `into` are the initial guess, and no coarser grid is needed.
+    /// Solves a model, starting from the solution of a similar model in `into`. Coarser grids are needed if the number
+    /// of nodes differs or the iteration does not converge.
     ///
     /// # Errors
     ///
@@ -88,9 +87,8 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
-    /// Solves the model with the contact zones in `into` as initial guess. If `into` has no contact zones, if its
-    /// number of nodes differs from that of the new grid, or if the iteration does not converge, solves from coarse
-    /// grids.
+    /// Solves the model from the contact zones in `into`, or from coarse grids if this is impossible or does not
+    /// converge.
     fn search_near(
         &mut self,
         model: &Model,
@@ -136,8 +134,8 @@ impl NodalSolver {
         if check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
-    /// Solves the problem of a beam bonded to the ground at every node, also in tension, by one sweep from each end.
-    /// Tensile forces are not checked. `settlement` is not written, because the ground follows the beam.
+    /// Solves the problem of a beam bonded to the ground at every node, also in tension. `settlement` is not written,
+    /// because the ground follows the beam.
     ///
     /// # Errors
     ///

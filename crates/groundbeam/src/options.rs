@@ -38,10 +38,8 @@ impl Method {
 pub struct Options {
     /// The method.
     pub method: Method,
-    /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts of the
-    /// model add nodes. [`Method::ActiveSet`] doubles the number while its iteration does not converge. On Winkler
-    /// ground, it also doubles the number while the estimated error energy exceeds the strain energy.
-    /// [`Method::Exact`] ignores the number.
+    /// Number of equal elements for the methods with a mesh. Parts of the model add nodes. [`Method::ActiveSet`]
+    /// doubles the number where *How accurate a mesh is* in docs/methods.md requires it.
     pub elements: usize,
     /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].
     pub start: Start,

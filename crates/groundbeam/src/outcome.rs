@@ -8,8 +8,7 @@ use crate::solution::solution::Solution;
 pub enum Outcome {
     /// An equilibrium with its certificate.
     Equilibrium(Box<Solution>),
-    /// No equilibrium exists. For a beam under compression it means that no stable equilibrium exists on the path
-    /// from the unloaded state. The [`Existence`] contains the rigid-body motion or the buckling mode that proves
-    /// this verdict.
+    /// No equilibrium exists; under compression, no stable one exists on the path from the unloaded state. The
+    /// [`Existence`] contains the motion or buckling mode that proves it.
     NoEquilibrium(Existence),
 }

@@ -3,12 +3,11 @@
 //! | [`Soil`] | data | results |
 //! |---|---|---|
 //! | `Vlasov` | layers of elastic soil on rock, and the decay parameter γ of the settlement over the depth | k and μ |
-//! | `ModifiedVlasov` | layers of elastic soil on rock; γ follows from the solution | k and μ |
+//! | `ModifiedVlasov` | the same layers; γ follows from the solution | k and μ |
 //! | `Vesic`, `Biot`, `MeyerhofBaike`, `Selvadurai` | a modulus and Poisson's ratio | k |
 //! | `TerzaghiClay`, `TerzaghiSand` | a plate load test | k |
 //!
-//! The constants k and μ apply to the full width of the *beam*: they are the constants per unit width of the ground
-//! times the width on which the beam bears.
+//! The constants k and μ apply to the full width of the beam.
 //!
 //! ```
 //! use groundbeam::soil::{LayeredSoil, Soil, SoilLayer, SoilModel};

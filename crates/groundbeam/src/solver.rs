@@ -9,7 +9,7 @@ use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::solution::Solution;
 use crate::solve::solve_in;
 
-/// Solves a series of models. All solves use the same memory. The default is the exact method.
+/// Solves a series of models in the same memory, by default with the exact method.
 ///
 /// ```
 /// use groundbeam::{Answer, Beam, Foundation, Load, Model, Solver};
@@ -60,8 +60,8 @@ impl Solver {
         Solver { options, ..Self::default() }
     }
 
-    /// Solves a model. The solution is bitwise equal to that of [`solve_with`](crate::solve_with) with the options of
-    /// this solver, regardless of previous solves.
+    /// Solves a model. The solution has the same bits as that of [`solve_with`](crate::solve_with) with the same
+    /// options.
     ///
     /// # Errors
     ///
@@ -70,10 +70,8 @@ impl Solver {
         self.solve_from(model, false)
     }
 
-    /// Solves a model that is similar to the previous one: a load has moved or increased, or the ground has
-    /// changed. The iteration starts from the previous contact and needs fewer steps. The certificate is
-    /// checked as in [`Solver::solve`], but the last digits of the solution may differ from the solution of
-    /// [`Solver::solve`].
+    /// Solves a model, starting from the contact of the previous, similar model. This takes fewer steps than
+    /// [`Solver::solve`], and the last digits may differ.
     ///
     /// # Errors
     ///

@@ -105,8 +105,8 @@ impl Feature {
         }
     }
 
-    /// Finds the part of a model that has the feature `self`, and the name of the field that contains the feature.
-    /// `is_local` states whether the equilibrium of the model is only a local minimum of the energy.
+    /// Returns the part and the field of a model that have this feature. `is_local` states whether the equilibrium is
+    /// only a local minimum.
     fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
         match self {
             Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),

@@ -217,8 +217,7 @@ impl Expectation {
         }
     }
 
-    /// Returns the verdict or the utilisation of a check in a limit state from the result document; `None` for any
-    /// other quantity.
+    /// Returns the verdict or the utilisation of a check from the result document; `None` for any other quantity.
     ///
     /// # Errors
     ///
@@ -267,8 +266,7 @@ impl Expectation {
         Ok(Value::Numbers(vec![number / self.scale]))
     }
 
-    /// Returns the difference between a computed and the expected value: first absolute in the unit of the expected
-    /// value, then relative to the largest expected number.
+    /// Returns the difference from the expected value, in its unit and relative to the largest expected number.
     ///
     /// # Errors
     ///

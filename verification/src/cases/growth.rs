@@ -29,8 +29,8 @@ impl Growth {
         }
     }
 
-    /// Returns the load factor or the position of lift-off that `self` requests. The load factor multiplies the load
-    /// cases in the brackets of `quantity`. The list is empty if the requested factor or position does not exist.
+    /// Returns the requested load factor or position of lift-off, for the load cases in the brackets of `quantity`. The
+    /// list is empty if no such value exists.
     pub fn of(self, quantity: &str, document: &Document) -> Result<Vec<f64>, String> {
         let cases = quantity.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')'));
         let cases = parse_cases(cases, document).map_err(|f| f.render("#:", cases, false))?;

@@ -1,6 +1,6 @@
 //! Reads the model files in `cases/`, which serve as examples, documentation and tests.
 //!
-//! Each file contains its expected results in lines that begin with `#:`; `cases/README.md` describes these lines.
+//! Lines that begin with `#:` contain the expected results; see `cases/README.md`.
 
 pub mod answers;
 pub mod expectation;

@@ -1,14 +1,12 @@
 //! Compares two answers to one model, for example of two machines or methods, within the bounds of their certificates.
 //!
-//! Let g and g′ be the relative energy gaps of the two answers. √g and √g′ bound the relative errors of the two answers
-//! in the energy norm, and e is the sum √g + √g′.
+//! The root √g of the relative energy gap g of an answer is a bound of its relative error in the energy norm. Let e be
+//! the sum of the roots of both answers.
 //!
-//! The settlements at a point differ by at most the sum of both settlement bounds. The root mean square of the
-//! difference of the moments is at most the sum of both moment bounds. The energies differ by at most the larger gap.
-//! These bounds are theorems. No theorem bounds the other quantities; their limits come from measurements. Each frozen
-//! model was solved again from the contact set of the same model with loads times 1.01 and 0.9, which changes only the
-//! rounding errors. Compressed, CompressedToo, the models of Extreme from number 50 on and four slow models of Hard were
-//! not measured. One model, Supported 1303, exceeded the limits with a third contact zone of negligible force.
+//! The bounds of settlements, of the root mean square of moments and of energies are theorems. The other limits come
+//! from measurements. Each frozen model was solved again from the contact set of the same model with loads times 1.01
+//! and 0.9, which changes only the rounding errors. Compressed, CompressedToo, Extreme from number 50 on and four slow
+//! models of Hard were not measured. Supported 1303 exceeded the limits, with a third contact zone of negligible force.
 //!
 //! | quantity, relative to its largest size | largest difference | limit |
 //! |---|---|---|
@@ -17,9 +15,9 @@
 //! | V at a support, and if a zone or a gap is shorter than 10⁻⁷ l | 8·10⁻⁵ | 100 e + 10⁻⁵, or the bound of V |
 //! | edges, relative to l | 4.4·10⁻⁸ | 10⁻⁷ |
 //!
-//! Contact zones and gaps between zones that are shorter than 10⁻⁷ l are ignored, and then the extreme values of p
-//! are not compared. The position of an extreme value is accepted if the field has this value at the position. At a
-//! position near a jump of a field, every value between both sides of the jump is accepted.
+//! Contact zones and gaps between zones that are shorter than 10⁻⁷ l are ignored; then extreme values of p are not
+//! compared. The position of an extreme value may be any position where the field has this value. Near a jump, every
+//! value between both sides is accepted.
 
 use super::Frozen;
 use super::answer::STEPS;
@@ -34,13 +32,11 @@ const EDGE: f64 = 1e-7;
 /// Part of the accepted difference of two values that covers rounding errors, relative to the largest value of the
 /// quantity.
 const FLOOR: f64 = 1e-9;
-/// Part of the accepted difference of the shear force V at supports that covers rounding errors, relative to the
-/// largest V. It applies on the whole beam if a contact zone, or a gap between two contact zones, is shorter than
-/// `EDGE` times the beam length.
+/// `FLOOR` of the shear force at supports. It holds on the whole beam if a contact zone or a gap between zones is
+/// shorter than `EDGE` times the length.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
-/// Limits of the difference of a field between the stored and the present answer, as multiples of √g + √g′. Here g and
-/// g′ are the relative energy gaps of the two answers. The second limit applies to the shear force and the pressure,
-/// the first limit to all other fields.
+/// Accepted difference of a field, as a multiple of √g + √g′ with the relative energy gaps g and g′ of both answers.
+/// The second number is for shear force and pressure.
 const SHARES: [f64; 2] = [3.0, 100.0];
 
 /// Returns all differences between a frozen answer and the present answer that exceed the bounds. A frozen answer
@@ -137,8 +133,8 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Returns the reference magnitude of a field for relative differences: the largest absolute value of the field in
-    /// the stored answer, or a larger value that accounts for rounding errors.
+    /// Returns the reference magnitude of a field: its largest value in the stored answer, or a larger value for
+    /// rounding errors.
     fn size(&self, field: Field) -> f64 {
         let own = |field: Field| {
             let values = self.answer().numbers(&format!("extremes_{}", field.name()));
@@ -148,8 +144,8 @@ impl<'a> Comparison<'a> {
                 .fold(0.0, f64::max)
         };
         match field {
-            // Gap and settlement are differences that contain the deflection, so their rounding errors are proportional
-            // to the deflection. Their reference magnitude is therefore at least that of the deflection.
+            // Gap and settlement are differences from the deflection, so their rounding errors are proportional to the
+            // deflection.
             Field::Gap | Field::Settlement => own(field).max(own(Field::Deflection)),
             Field::ShearForce => self
                 .answer()
@@ -174,8 +170,8 @@ impl<'a> Comparison<'a> {
         if !(pinched && field == Field::ShearForce) {
             return self.size(field) * (share + FLOOR);
         }
-        // Near a support with the settlement s, w has a rounding error of 2⁻⁵² s. In an element of length h this error
-        // changes V by up to 2⁻⁵² · 12 EI s/h³. The bound of V from the proof includes this rounding error.
+        // Near a settled support, the rounding error of w changes V by up to 12 EI/h³ times its size, in an element of
+        // length h. The proven bound of V includes this error.
         let [_, _, bound] = self.bounds;
         let proven = if bound.is_finite() { bound } else { 0.0 };
         (self.size(field) * (share + FLOOR_AT_SUPPORTS)).max(proven)
@@ -265,8 +261,8 @@ impl<'a> Comparison<'a> {
     /// Compares the settlements and moments of the stored and the present answer within their proven error bounds.
     fn settlements_and_moments(&mut self) {
         let bounds = self.frozen.certificate.numbers("bounds");
-        // The last bound in a stored certificate limits the error of the moment. If the pinned older version of the
-        // program wrote the certificate, this bound limits the root mean square of the error.
+        // The last bound of a stored certificate is that of the moment error, or of its root mean square if the pinned
+        // program wrote it.
         let bounds = [bounds[0], bounds[bounds.len() - 1]];
         let present = self.bounds;
         // If the proof gives no bound for the present answer, the bound of the stored answer is used for both answers.

@@ -1,7 +1,7 @@
 //! Reads frozen random models and the answers of a pinned program version, for comparison with the present program.
 //!
 //! The random families draw their models with the code under test, so a change in a last digit can change the models.
-//! The files in `verification/frozen` contain the models that the program of one commit drew, and its answers.
+//! `verification/frozen` contains the models and answers of one commit.
 
 pub mod answer;
 pub mod bits;

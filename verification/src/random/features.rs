@@ -21,8 +21,8 @@ pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// Varies EI along one to three stretches of the beam. EI is linear, or proportional to the third or fourth power of
-/// a linear depth, or a polynomial with random Bernstein coefficients.
+/// Varies EI along one to three stretches: linearly, as the third or fourth power of a linear depth, or as a random
+/// polynomial.
 pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     for [from, to] in stretches(length, dice) {
@@ -47,8 +47,8 @@ pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<
     beam
 }
 
-/// Sets the shear stiffness of the whole beam or of segments to 10⁻² to 10⁴ times EI/L². Here L is the characteristic
-/// length 1/λ of the beam on its ground, but at most the beam length. On some segments the shear stiffness varies.
+/// Sets the shear stiffness of the beam or of segments to 10⁻² to 10⁴ times EI/L². L is 1/λ with the wave number λ, but
+/// at most the beam length.
 pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     let wave = length / lambda_l.max(1.0);

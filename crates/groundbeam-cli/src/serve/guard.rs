@@ -1,8 +1,7 @@
 //! Restricts access to the server to programs on this machine and to the server's own page.
 //!
-//! A page of another server can make the browser send a request to this server. The header `Origin` of the request then
-//! names the other server. A foreign host name can resolve to the address of this machine (DNS rebinding). The header
-//! `Host` of the request then contains the foreign name.
+//! The header `Origin` names the server of the requesting page. The header `Host` has a foreign name after DNS
+//! rebinding.
 
 use super::reply::refusal;
 use super::routes::LONGEST;

@@ -172,8 +172,7 @@ const STIFFNESSES: [f64; 3] = [1e9, 1e6, 1e3];
 /// to 10 MPa are printed in kilopascals.
 const STRESSES: [f64; 3] = [1e9, 1e7, 1e2];
 
-/// Lists the units with the prefixes giga, mega and kilo, and the base unit. `from` contains the smallest
-/// values that are printed with the three prefixes. Smaller values are printed in the base unit.
+/// Returns the units with the prefixes giga, mega, kilo and none. `from` has the smallest value for each prefix.
 const fn metric(from: [f64; 3], names: [&'static str; 4]) -> [Rung; 4] {
     [
         rung(from[0], 1e9, names[0]),

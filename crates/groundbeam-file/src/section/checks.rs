@@ -119,9 +119,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limi
     }
 }
 
-/// Reports widths with which the bearing checks are unsafe. The checks use one width along the whole beam. A
-/// width in `[checks]` must not exceed any local width of the ground. Without a width in `[checks]`, all
-/// widths of the ground must be equal.
+/// Reports widths with which the bearing checks are unsafe: a `width` in `[checks]` above a local width of the ground,
+/// or, without it, different local widths.
 fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground) {
     let mut widths = ground.local_widths.iter().filter(|width| width.is_readable());
     if let Some(own) = own {
@@ -151,9 +150,8 @@ fn refuse_empty(reader: &mut Reader, states: &Section, key: &str) {
     reader.report(Fault::new(code::EMPTY_NAME, value.span(), message, "", hint));
 }
 
-/// Sets the limit state of `bearing_resistance`, if the file names none. The default is STR/GEO, because
-/// the value is a design resistance. If the file has combinations of allowable stress design but no STR/GEO
-/// combinations, the value is an allowable pressure, and the limit state is allowable stress.
+/// Makes allowable stress the default limit state of `bearing_resistance` if the combinations include allowable stress
+/// but not STR/GEO.
 pub(super) fn judge_resistance(limits: &mut Limits, recipes: &[Recipe]) {
     let any = |state| recipes.iter().any(|recipe| recipe.limit_states.contains(state));
     if any(LimitState::AllowableStress) && !any(LimitState::StrGeo) {

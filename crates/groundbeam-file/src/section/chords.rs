@@ -7,8 +7,8 @@ use groundbeam::{Beam, Load, Model};
 /// this result along the beam.
 const TOLERANCE: f64 = 1e-3;
 
-/// Number of chords per width of a settlement trough that makes the deflection of the beam accurate. The chords replace
-/// the curve of the trough. The number applies up to [`NEAR`] trough widths from the middle of the trough.
+/// Number of chords that replace a settlement trough, per trough width, for an accurate deflection. It applies up to
+/// [`NEAR`] widths from the middle (docs/ground.md, rule 1).
 const PER_WIDTH: f64 = 24.0;
 const NEAR: f64 = 5.0;
 /// Number of chords per beam length that is always sufficient for accurate contact edges. The chords replace the curve
@@ -51,10 +51,8 @@ struct Even {
 }
 
 impl<'a> Spacing<'a> {
-    /// Computes how many chords per unit length must replace the curves of the settlement troughs of a model.
-    /// `multiples` are the lower and upper factors on the subgrade modulus k and on the stiffness μ of the shear layer.
-    /// `pressure` is the mean load \[N/m\]. For a model without loads, `pressure` is infinite, and the accuracy of pressure
-    /// and contact edges requires no chords.
+    /// Computes the required number of chords per length. `multiples` are the lower and upper factors on k and on μ.
+    /// `pressure` is the mean load \[N/m\], or infinite without loads.
     pub fn new(
         model: &Model,
         multiples: [[f64; 2]; 2],
@@ -66,8 +64,7 @@ impl<'a> Spacing<'a> {
         let even = troughs.iter().map(|trough| {
             let of_field = PER_WIDTH / trough.width;
             let of_moment = ranges.bonded().map(|bonded| 1.0 / bonded.longest(trough.width));
-            // A beam beside the middle of a settlement trough rests on the tail of the trough. At the distance of t
-            // trough widths from the middle, the tail decays over a length of 1/t trough widths.
+            // A beam beside the trough rests on its tail. At t widths from the middle, the tail decays over 1/t widths.
             let away = ((trough.at.clamp(0.0, l) - trough.at) / trough.width).powi(2);
             Even {
                 density: of_moment.fold(of_field, f64::max).powi(2) * (1.0 + away),
@@ -100,9 +97,8 @@ impl<'a> Spacing<'a> {
     }
 }
 
-/// Estimates the mean pressure \[N/m\] under a beam of the length `l`. Adds the magnitudes of all forces and
-/// the magnitudes of all moments divided by `l`, and divides the sum by `l`. The function `factors` returns
-/// the factor of each load.
+/// Estimates the mean pressure \[N/m\] under a beam of length `l`: (∑|F| + ∑|M|/l)/l from all forces F and moments M.
+/// `factors` returns the factor of each load.
 pub(super) fn mean_load(loads: &[Load], l: f64, factors: impl Fn(usize) -> f64) -> f64 {
     let sizes = loads.iter().enumerate().map(|(i, load)| factors(i).abs() * load.as_force(l));
     sizes.sum::<f64>() / l
@@ -185,11 +181,8 @@ impl Bonded {
     /// Computes the length of the longest chord for which the error of the moment is within the tolerance,
     /// for a trough of this `width`.
     fn longest(&self, width: f64) -> f64 {
-        // `self.moment(q)` is the ratio of the bending moment to the curvature of a gap of the wavenumber q. The
-        // trough has the wavenumber 1/width. The chords differ from the trough by a parabola over each chord, with the
-        // chord length h as period. The harmonic n of this difference adds at most about 2/n² times
-        // `self.moment(2π/h)` to the ratio, so all harmonics together add at most π²/3 ≈ 3.3 times `self.moment(2π/h)`.
-        // This sum may be at most the fraction `TOLERANCE` of the ratio for the trough.
+        // Rule 2 of *Settlement troughs* in docs/ground.md: 3.3 T(2π/h) ≤ ε T(1/`width`). T is `self.moment`, ε the
+        // tolerance and h the chord length.
         let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
         let (mut short, mut long) = (0.0, width);
         for _ in 0..60 {

@@ -33,10 +33,8 @@ pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) ->
     segments
 }
 
-/// Returns the imposed curvature per unit of the load: 1 for a curvature, α/h for a temperature difference
-/// and −1/h for a shrinkage difference. A difference is the value at the top minus the value at the bottom,
-/// α is the coefficient of thermal expansion, and h is the depth. A warmer top bends the ends down, which
-/// is a positive curvature.
+/// Returns the curvature per unit of the load: 1 for a curvature, α/h for a temperature difference and −1/h for a
+/// shrinkage difference (top minus bottom). α is the thermal expansion, h the depth.
 pub(super) fn curvature_per(
     reader: &mut Reader,
     table: &Section,

@@ -23,8 +23,8 @@ use groundbeam::{
     model::{FoundationSegment, GroundEnd, Profile},
 };
 
-// The following keys for k and μ are used in `[foundation]` and in `[[foundation.segment]]`. The keys `k`
-// and `mu` accept up to `Profile::MOST` values; the later check of the model refuses more than three.
+// Keys for k and μ in `[foundation]` and `[[foundation.segment]]`. The reader accepts up to `Profile::MOST` values, but
+// the model at most three.
 const K: Key = along(
     "k",
     &SPRING_PER_LENGTH,
@@ -267,8 +267,8 @@ fn read_segment(
     let of_area = reader.along(table, "C2").or(inherited);
     let own_shear = shear(reader, table, of_area.as_ref(), own_width.clone().or(width).as_ref());
     let mut segment = whole.segment(reader, table, (ends, way), &own, own_shear);
-    // If k or μ of the table `[foundation]` varies along the beam, the ground outside the beam has the constant values
-    // at the nearest end of the beam. Therefore, a segment that reaches beyond an end of the beam is cut off there.
+    // If k or μ of `[foundation]` varies, the ground beside the beam has the values at the beam ends. Segments are cut
+    // off there.
     if whole.varies() && segment.from < whole.length && segment.to > 0.0 {
         segment.from = segment.from.max(0.0);
         segment.to = segment.to.min(whole.length);

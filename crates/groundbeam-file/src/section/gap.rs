@@ -23,9 +23,8 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
-/// Sets the initial gap of the model: the points of the file or of a survey, plus the settlement troughs,
-/// whose curves are replaced by polygons. Returns the number of straight pieces of the gap if there are
-/// troughs. `pressures` are the mean loads per length, one for each load combination.
+/// Sets the initial gap: the given points, plus settlement troughs as polygons. Returns the number of straight pieces
+/// if there are troughs. `pressures` are the mean loads per length of all combinations.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,

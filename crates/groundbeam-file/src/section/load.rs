@@ -19,8 +19,7 @@ use groundbeam::{
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A kind of load. Its key in the file, such as `point`, determines the physical quantity of its value. The key also
-/// determines whether the load is a force, a moment or an imposed curvature of the beam.
+/// A kind of load. Its key, such as `point`, gives the physical quantity and the action: force, moment or curvature.
 pub(crate) struct LoadKind {
     pub key: Key,
     /// SI unit of the quantity under this key.

@@ -1,8 +1,7 @@
 //! Computes segments of the beam (EI, S) and of the ground (k, μ) from their tables and the table for the whole beam.
 //!
-//! EI is the product of `E` and `I`, and k is the product of `subgrade_modulus` and `width`. A segment inherits
-//! a missing factor from the whole beam at the same position. A segment that gives only S or μ inherits EI or k.
-//! Outside the segments, the values for the whole beam apply.
+//! A segment inherits missing factors of EI = E·I and k = `subgrade_modulus`·`width` from the whole beam at the same
+//! position. A segment that gives only S or μ inherits EI or k.
 
 use crate::profile::{Along, left_out};
 use crate::reader::{Field, Reader};
@@ -74,9 +73,7 @@ impl Whole {
         (ends, ends.map(|x| (x / self.length).clamp(0.0, 1.0)))
     }
 
-    /// Computes a segment of the beam (bending stiffness EI and shear stiffness S) or of the ground (subgrade modulus k
-    /// and stiffness μ of the shear layer). `own` and `second` come from the table of the segment: `own` is EI or k, or
-    /// the factors whose product is EI or k, and `second` is S or μ.
+    /// Computes a segment from its table: `own` is EI or k, or its two factors, and `second` is S or μ.
     pub fn segment(
         &self,
         reader: &mut Reader,
@@ -106,8 +103,8 @@ impl Whole {
         Segment { from, to, stiffness: stiffness.profile, second }
     }
 
-    /// Returns constant values of EI and S of the beam, or of k and μ of the ground, for use outside all segments. If one
-    /// of these quantities varies along the beam, adds segments for the parts of the beam that have no segment.
+    /// Returns the constants EI and S, or k and μ, that apply outside all segments. If one of them varies, adds
+    /// segments where none is given.
     pub fn complete(
         self,
         reader: &mut Reader,

@@ -1,8 +1,7 @@
 //! Reads `section = { … }`: computes area, second moment and shear area of a cross-section from its dimensions.
 //!
-//! The shear area is A/F with the form factor F of Young, Budynas and Sadegh, *Roark's Formulas for Stress
-//! and Strain*, 8th ed., section 8.10: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube. For a box,
-//! an I or a T it is the area of the webs between the flanges.
+//! The shear area is A/F with the form factor F of Young, Budynas and Sadegh, *Roark's Formulas for Stress and Strain*,
+//! 8th ed., section 8.10. For a box, an I or a T, it is the area of the webs between the flanges.
 
 use crate::code;
 use crate::fault::Fault;
@@ -281,8 +280,7 @@ fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-/// Returns the polynomial of degree 2 through the first, third and fifth of the values, which belong to the fractions
-/// [`QUARTERS`]. If its curvature is only rounding error, returns a linear polynomial.
+/// Returns the parabola through the first, middle and last value, or a line if its curvature is only rounding error.
 fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     let bend = 2.0 * c - (a + e);
     if bend.abs() <= 16.0 * f64::EPSILON * (a + e) {
@@ -337,8 +335,7 @@ mod tests {
         }
     }
 
-    /// Compares the area and the second moment of area of a section with the sums over its parts. A hollow
-    /// section is the outer shape minus the inner shape. A T is a flange plus a stem (parallel-axis theorem).
+    /// Compares area and second moment of area with sums over parts: outer minus inner shape, flange plus stem of a T.
     #[test]
     fn sections_agree_with_the_sums_over_their_parts() {
         let circle = |d: f64| [PI * d * d / 4.0, PI * d.powi(4) / 64.0];

@@ -22,11 +22,10 @@ pub(super) static TABLE: Table = Table {
 
 /// Maximum number of points that the settlement troughs may add to the polygon of the initial gap.
 pub(super) const MOST_CHORDS: usize = 10_000;
-/// Step of the numerical integration over a settlement trough, as a fraction of the trough width. The integral of the
-/// required number of chords per unit length is the number of chords that replace the trough.
+/// Step of the integration of the number of chords per length over a settlement trough, as a fraction of its width.
 const STEP: f64 = 1.0 / 16.0;
-/// Range of the numerical integration on each side of the middle of a settlement trough, as a multiple of the trough
-/// width. At the end of this range, the settlement is less than 2e-14 of its maximum.
+/// Range of the integration on each side of the middle, in trough widths. At its end, the settlement is less than 2e-14
+/// of its maximum.
 const REACH: f64 = 8.0;
 
 /// Smallest magnitude of a nonzero gap, which is the smallest nonzero number that a model may have.
@@ -76,8 +75,8 @@ impl Trough {
     }
 }
 
-/// Returns the points of the polygon that replaces the sum of the initial gap and the settlement troughs. If the
-/// troughs need more than [`MOST_CHORDS`] additional points, returns the number of these points as an error.
+/// Returns the polygon for the initial gap plus the settlement troughs. If it needs more than [`MOST_CHORDS`]
+/// additional points, their number is the error.
 pub(super) fn sunk(
     model: &Model,
     troughs: &[Trough],
@@ -111,9 +110,8 @@ pub(super) fn sunk(
     Ok(places.into_iter().map(corner).collect())
 }
 
-/// Divides a stretch of the beam into chords such that the integral of the required number of chords per unit length is
-/// the same over each chord. Appends the right end of each chord to `places`. Returns the number of points inside the
-/// stretch at which two chords meet.
+/// Divides a stretch into chords with equal integrals of the number of chords per length. Appends their right ends to
+/// `places`, and returns the number of points between them.
 fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     let whole: f64 = stretch.iter().map(|(from, to, density)| (to - from) * density).sum();
     let parts = whole.ceil().max(1.0);

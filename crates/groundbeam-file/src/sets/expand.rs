@@ -1,8 +1,7 @@
 //! Generates load combinations from the load cases of a file and a set of combination rules of a code of practice.
 //!
-//! Superposition is not valid with lift-off, so no action can be left out because it seems favourable. All
-//! subsets of the variable cases are combined with all leading actions and all factors of the permanent
-//! cases.
+//! Superposition is invalid with lift-off, so no action is left out as favourable. All subsets of the variable cases
+//! are combined with all leading actions and all permanent factors.
 
 use super::{Action, Formula, Practice, Set, Share, states};
 use groundbeam::design::LimitStates;
@@ -37,9 +36,8 @@ pub(crate) struct Made {
     pub limit_states: LimitStates,
 }
 
-/// Generates the combinations of a set, each combination once. More than `most` combinations are an error.
-/// `has_others` is true if the file has loads without a case. In this case, these loads alone are also a
-/// combination.
+/// Generates the combinations of a set, each once; more than `most` are an error. With `has_others`, the loads without
+/// a case alone are also a combination.
 pub(crate) fn expand(
     practice: &Practice,
     set: &Set,
@@ -79,10 +77,8 @@ pub(crate) fn expand(
 type Terms<'a> = Vec<Vec<(&'a str, f64)>>;
 
 impl Formula {
-    /// Returns the lists of terms from which the combinations of the formula are generated. The boolean
-    /// beside a list is true if each of its combinations must contain an action of the first term. A
-    /// formula with leading actions has one list for each leading action, and one list without a leading
-    /// action.
+    /// Returns one list of terms for each leading action, and one without. The flag is true if each combination must
+    /// contain an action of the first term.
     fn terms<'a>(&'a self, practice: &'a Practice, cases: &[Acting]) -> Vec<(bool, Terms<'a>)> {
         let written: Terms = self
             .terms
@@ -196,9 +192,8 @@ impl Expansion<'_> {
         if factors.is_empty() { self.permanent(terms, case + 1, chosen, rows) } else { Ok(()) }
     }
 
-    /// Generates the combinations of variable actions by recursion over the terms. Each term contributes
-    /// one of its alternative actions, or none. If `must` is true, the first term must contribute an
-    /// action.
+    /// Generates the combinations of variable actions. Each term contributes one action or none; with `must`, the first
+    /// term contributes one.
     fn variable(
         &mut self,
         terms: &[Vec<(&str, f64)>],
@@ -215,8 +210,8 @@ impl Expansion<'_> {
         if must { Ok(()) } else { self.variable(others, false, chosen) }
     }
 
-    /// Generates the combinations in which an action acts, for each non-empty subset of the load cases of this
-    /// action. A load case is left out if another load case of its group has been chosen.
+    /// Generates combinations for each non-empty subset of the load cases of an action. Two cases of one group never
+    /// act together.
     fn subsets(
         &mut self,
         cases: &[usize],

@@ -33,8 +33,8 @@ struct Action {
     /// Combination factors ψ₀, ψ₁ and ψ₂ of a variable action; `None` for other actions and in codes without
     /// such factors.
     psi: Option<[f64; 3]>,
-    /// Lists of partial factors of the action by the letter of their table, such as A, B and C in EN 1990. A
-    /// list contains the unfavourable factor, followed by the favourable factor if the two factors differ.
+    /// Partial factors of the action by the letter of their table, such as A in EN 1990: the unfavourable factor, then
+    /// the favourable factor if it differs.
     #[serde(default)]
     gamma: BTreeMap<String, Vec<f64>>,
     /// Whether the action is permanent.
@@ -65,8 +65,8 @@ pub(crate) struct Set {
     formulas: Vec<Formula>,
 }
 
-/// One combination expression of a code of practice. A combination may omit the variable actions of the expression. If
-/// `needs_first` is true, it must nevertheless contain an action of the first term in `terms`.
+/// One combination expression of a code. A combination may omit its variable actions. With `needs_first`, an action of
+/// the first term must act.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Formula {

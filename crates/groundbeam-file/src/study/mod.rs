@@ -87,8 +87,7 @@ pub struct StudyFile {
 ///
 /// # Errors
 ///
-/// Returns an error if a file cannot be read, or if the study file or the model file has faults. The error
-/// lists all faults of the file.
+/// Returns the error of a file that cannot be read, or all faults of the study file or of the model file.
 pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
     read(path, folder_of(path).into())
 }

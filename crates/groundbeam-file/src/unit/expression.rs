@@ -1,7 +1,6 @@
 //! Parses products, quotients and powers of unit symbols in the notations that engineers use.
 //!
-//! Examples are `kN/m^2`, `kN/m²`, `kN m`, `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`, `kN
-//! m-2`, `mm4` and `1/m`.
+//! Examples are `kN/m²`, `kN m`, `kNm`, `kN·m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`, `kN m-2`, `mm4` and `1/m`.
 
 use super::{Dimension, Marks, Scale, symbol};
 use crate::code;

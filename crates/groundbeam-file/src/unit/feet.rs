@@ -4,12 +4,11 @@ use super::symbol::{FEET, INCHES};
 
 /// Largest allowed denominator of a fraction of a foot or an inch.
 const FINEST: u128 = 64;
-/// An inch is divided into this number of equal parts, so that lengths are computed in whole numbers. All 64ths
-/// of an inch and all decimals with six digits after the point are whole numbers of such parts.
+/// Number of equal parts of an inch. All 64ths and all decimals with six decimal places are whole numbers of parts.
 const PARTS: u128 = 1_000_000;
 
-/// Converts a length in feet and inches, or a length with a fraction, to a decimal number of inches. Returns `None` for
-/// any other text, including a single decimal number with its unit, such as `6.5 in`.
+/// Converts a length in feet and inches, or with a fraction, to decimal inches. Returns `None` for other text, such as
+/// `6.5 in`.
 pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     let text = text.trim();
     let (sign, text) = match text.strip_prefix(['-', '\u{2212}']) {

@@ -1,7 +1,6 @@
 //! Parses the units of quantities: symbols, combinations of symbols, and their dimensions.
 //!
-//! A model needs only forces, lengths, angles and temperature differences. A general unit library would accept
-//! many other units and would not report which characters are wrong.
+//! A general unit library would accept many other units and would not report which characters are wrong.
 
 mod dimension;
 mod expression;

@@ -1,7 +1,6 @@
 //! Table of unit symbols with their factors and dimensions.
 //!
-//! All factors except that of the degree are exact. The definitions of the inch, the pound and the standard
-//! acceleration of free fall come from NIST Special Publication 811 (2008), appendix B.
+//! All factors except that of the degree are exact. Source: NIST Special Publication 811 (2008), appendix B.
 
 use super::{Dimension, Marks, Scale};
 
@@ -200,8 +199,8 @@ mod tests {
         Decimal::read("1").unwrap().0.times(&scale)
     }
 
-    /// Compares the factors with the values printed in NIST Special Publication 811 (2008), appendix B.8.
-    /// Factors that are printed with rounding are also compared with quotients of exactly defined numbers.
+    /// Compares the factors with NIST Special Publication 811 (2008), appendix B.8, and rounded factors also with exact
+    /// quotients.
     #[test]
     fn every_symbol_has_its_published_factor() {
         let pound = 4.448_221_615_260_5; // B.8: pound-force, 4.448 222 E+00

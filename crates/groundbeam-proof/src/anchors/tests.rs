@@ -15,10 +15,8 @@ use crate::units::Units;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// The test writes the deflection error at a position as the sum of two integrals and of terms for the errors at the
-/// anchors, which are positions with known error bounds. The integrands are the derivative of the rotation error and
-/// the error of the shear strain, each multiplied by a kernel. By Cauchy's inequality, the bound of the deflection
-/// error contains the norms of the two kernels.
+/// By Cauchy's inequality, the bounds contain the norms of the kernels that multiply the errors of curvature and shear
+/// strain.
 #[test]
 fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
     let mut random = numbers();
@@ -31,39 +29,27 @@ fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
             let ratio = bound.value() / exact;
             assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
         };
-        // The function `between` applies to the midpoint between two anchors, which are positions with known error
-        // bounds. The deflection error at the midpoint contains an integral between the anchors. The integrand is the
-        // derivative of the rotation error times half the distance from the nearer anchor, plus the shear strain error
-        // times ±½.
+        // `between`: at the midpoint, the kernels are half the distance to the nearer anchor, and ±½.
         let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
         is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
-        // The function `beyond` applies to the free end of an overhang of length `over`, next to two anchors at the
-        // distance `h` from each other. Anchors are positions with known error bounds. The deflection error at the free
-        // end contains two integrals. The first integrand is the derivative of the rotation error times a kernel. On
-        // the overhang, this kernel is the distance from the free end; between the anchors, it decreases linearly from
-        // `over` to zero. The second integrand is the shear strain error times a kernel, which is 1 on the overhang and
-        // `over / h` between the anchors.
+        // `beyond`, at the free end: the kernel of the curvature is the distance to this end on the overhang, and
+        // decreases from `over` to zero between the anchors.
         let outside = integral(over, |x| (over - x).powi(2));
         let bent = (outside + integral(h, |x| (over * (1.0 - x / h)).powi(2))).sqrt();
+        // The kernel of the shear strain is 1 on the overhang and `over / h` between the anchors.
         let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
         let exact = near + (near + far) * over / h + s * bent + sheared * slid;
         is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
-        // The function `along_slope` applies to the free end of an overhang if the rotation error is bounded at a
-        // position at the distance `h` from the overhang. The deflection error at the free end contains the integral of
-        // the derivative of the rotation error times a kernel. On the overhang, this kernel is the distance from the
-        // free end. Between the position and the overhang, it is the length `over` of the overhang.
+        // `along_slope`, at the free end: the kernel is the distance to this end on the overhang, and `over` from there
+        // to the position with the known rotation error.
         let bent = (outside + integral(h, |_| over * over)).sqrt();
         let exact = slope * over + s * bent + sheared * over.sqrt();
         is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
     }
 }
 
-/// Compares the result of `from_mean`, a bound of the deflection error on an interval, with numerical integration. The
-/// function b bounds the difference between the deflection error and its tangent at the midpoint of the interval.
-///
-/// The mean absolute value of the tangent is at most the mean absolute error plus the mean of b. The tangent is linear,
-/// so it is at most 1 + √2 times its mean absolute value. The deflection error exceeds the tangent by at most the value
-/// of b at the ends of the interval.
+/// Compares `from_mean`, (12) of docs/proof.md, with numerical integration of the deviation from the tangent at the
+/// midpoint.
 #[test]
 fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     let mut random = numbers();
@@ -82,9 +68,8 @@ fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     }
 }
 
-/// Checks that the pressure is bounded from below only on middle parts that lie within the piece. The half length that
-/// is stored with a piece may be wrong. If it is 1 and the length of the piece is 1.6, the half length of a middle part
-/// may be at most 0.8.
+/// Checks that middle parts lie within the piece, even if its stored half length is wrong: at a length of 1.6 and a
+/// stored half length of 1, they may reach 0.8.
 #[test]
 fn pressures_are_bounded_within_the_piece_only() {
     for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
@@ -93,8 +78,7 @@ fn pressures_are_bounded_within_the_piece_only() {
         let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
         assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
     }
-    // One exact end of the piece lies 0.1 inside the stored end. A middle part is centred at the stored midpoint, so
-    // its half length may be at most 0.8 − 0.1 = 0.7. This is 0.875 times the stored half length 0.8.
+    // An exact end lies 0.1 inside the stored end. A middle part may extend 0.7 from the stored midpoint, 0.875 of 0.8.
     for exact in [[0.0, 1.5], [0.1, 1.6]] {
         let piece = Piece { x: [0.0, 1.6], half: 0.8, deflection: vec![1.0], ..Piece::default() };
         let units = Units { length: 0, force: 0 };
@@ -103,9 +87,8 @@ fn pressures_are_bounded_within_the_piece_only() {
     }
 }
 
-/// Tests two models. In the first, the total load is 5/4 of the resultant of the claimed pressure. In the second, it is
-/// 5/4 of the resultant of the claimed reactions. The correction for exact equilibrium is therefore ¼ of the claimed
-/// values, and their lower bounds are ¾ of the claimed values.
+/// The load is 5/4 of the claimed pressure or reactions. The correction is ¼, and the lower bounds are ¾ of the claimed
+/// values.
 #[test]
 fn redistributed_pressures_and_reactions_keep_their_share() {
     let springs = "[[support]]\nat = 0\ntype = 'pinned'\nacts = 'up'\n[[support]]\nat = 2\ntype = 'pinned'\nacts = 'up'\n\
@@ -137,9 +120,8 @@ fn redistributed_pressures_and_reactions_keep_their_share() {
     }
 }
 
-/// In the first two cases, one elastic hinge and one free hinge join three parts of the beam. An anchor is a position
-/// with a known bound of the deflection error. Each of the two parts at the elastic hinge has one anchor, its pin, so
-/// these two parts together have two anchors. The third part has only one anchor, the free hinge, and can rotate.
+/// In the first two cases, the two parts at an elastic hinge have one pin each and a common bound. The part beyond the
+/// free hinge can rotate.
 #[test]
 fn parts_beyond_a_free_hinge_have_no_common_bound() {
     let hinge =

@@ -199,9 +199,8 @@ fn a_clearance_above_a_limit_is_shown() {
     assert!((50..350).contains(&shown), "{shown}");
 }
 
-/// Checks the function `falls` on random pieces. If it returns true, the clearance decreases towards the given end of
-/// the interval at least at the rate `limit`. If it returns false, the smallest rate of decrease is less than `limit`,
-/// or exceeds `limit` only slightly.
+/// Checks on random pieces that `falls` agrees with the smallest rate of decrease, except for rates slightly above
+/// `limit`.
 #[test]
 fn a_fall_of_the_clearance_is_shown() {
     let mut random = numbers();
@@ -246,14 +245,9 @@ fn the_curvature_of_the_clearance_has_a_lower_bound() {
     }
 }
 
-/// Returns three values at x = 1, the left end of a piece without contact in the claimed solution:
+/// Returns `theta`, `flux` and `steep` of the `Approach` at x = 1, the left end of the second piece.
 ///
-/// * the distance θ from this end beyond which the piece has no contact in the exact solution,
-/// * the error bound of the force μu′ in the shear layer, where u is the ground displacement,
-/// * μ|C′|, where C is the clearance.
-///
-/// `errors` contains three error bounds that apply to all pieces: a common bound of deflection and ground displacement,
-/// a bound of the slope, and a bound of the pressure.
+/// `errors` are bounds for all pieces: of deflection and ground displacement, of the slope, and of the pressure.
 fn approach_at_one(model: &str, document: &Value, errors: [f64; 3]) -> Option<[f64; 3]> {
     with_fields(model, document, |fields| {
         let units = fields.frame.units;
@@ -275,9 +269,8 @@ fn piece(ends: [f64; 2], touches: bool, w: &[f64]) -> Value {
     json!({"x": ends, "half": 0.5 * (ends[1] - ends[0]), "touches": touches, "deflection": w})
 }
 
-/// The deflection is w = 3 − 2x, with contact up to x = 1. To the right, the ground without contact has μ = ½, k = 2
-/// and the displacement u = exp(2 − 2x), so μ(u − w)″ = 2 at x = 1. The error bound of the force μu′ in the shear
-/// layer is (13) of docs/proof.md with the length L = ½ of ground without contact.
+/// For w = 3 − 2x with contact up to x = 1, and the ground displacement u = exp(2 − 2x) beyond, μ(u − w)″ = 2 at x = 1.
+/// The error bound of the force is (13) of docs/proof.md with L = ½.
 #[test]
 fn the_error_of_an_edge_follows_from_the_errors_of_slope_and_settlement() {
     let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n";
@@ -314,9 +307,8 @@ fn half_of_an_open_length_between_regions_is_open() {
     assert!(theta == 0.0 && (0.9..1.0).contains(&steep), "{theta} {steep}");
 }
 
-/// The ground has k = 1 and μ = 1 + x. The claimed deflection is w = 2 − x. On the piece without contact from x = 1 to
-/// x = 2, the claimed ground displacement is u = 2 − x + ¼(x − 1)². So the absolute value of the residual ku − (μu′)′
-/// on this piece is at most 1, and the contact pressure ku − (μw′)′ at x = 1 is 2.
+/// On the open piece from x = 1, the ground displacement u = 2 − x + ¼(x − 1)² has a residual of at most 1 for k = 1
+/// and μ = 1 + x. With w = 2 − x, the pressure ku − (μw′)′ at x = 1 is 2.
 #[test]
 fn the_error_of_an_edge_of_varying_ground_contains_its_residual() {
     let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\nleft = { ends = 0, as = 'free' }\n\

@@ -55,9 +55,8 @@ fn the_depth_of_a_beam_in_loaded_springs_is_bounded() {
     assert!((50..290).contains(&deep), "{deep}");
 }
 
-/// The claimed slope of the beam jumps at x = 1, where a piece without contact begins. The proof replaces the claimed
-/// deflection by one with a continuous slope. At x = 1 this slope is −0.2, the claimed slope of the left piece, for
-/// every size of the claimed jump.
+/// Checks that the slope of the clearance at x = 1 uses the corrected slope −0.2 of the beam. The claimed slope jumps
+/// there by `jump`.
 #[test]
 fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
     let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\
@@ -80,10 +79,8 @@ fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
     }
 }
 
-/// Checks a piece out of contact between two contact regions. The claimed deflection jumps at both ends of the
-/// piece, and the correction removes these jumps. The force μu′ in the shear layer at both ends of the piece must
-/// follow from the corrected deflections there. The layer begins at x = 1. The beam is horizontal and in contact
-/// there, so no concentrated contact force acts at x = 1.
+/// Checks that the shear-layer force μu′ at the ends of a piece between two contacts follows from the corrected
+/// deflection. No contact force acts at x = 1, where the layer begins.
 #[test]
 fn the_surface_joins_the_corrected_beam() {
     let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n\
@@ -110,9 +107,7 @@ fn the_surface_joins_the_corrected_beam() {
     }
 }
 
-/// The beam of length 1.5 has the deflection w = t/10 with −1 ≤ t ≤ 1 and is claimed to be out of contact. On
-/// the half with t > 0, which has the length 0.75, the beam lies below the ground surface u = 0 by at most 0.1.
-/// Checks the energy norm of the surface correction that removes this penetration.
+/// Checks the norm of the correction for a beam that penetrates Winkler ground by up to 0.1 on the length 0.75.
 #[test]
 fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
     let text = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 2\n[[load]]\npoint = 1\nat = 0\n";
@@ -124,9 +119,8 @@ fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
     });
 }
 
-/// The ground displacement is u = −sinh(2t)/sinh 2 with t = 2x − 1, so u″ = d²u/dx² = 16u. Checks the lower bound of
-/// u″ on an interval. It is 16 times the larger of two lower bounds of u: the smallest value −1 of u, and the
-/// smallest value of a parabola with the value and the slope of u in the middle of the interval.
+/// Checks the lower bound of u″ = 16u for u = −sinh(2t)/sinh 2 with t = 2x − 1. On an interval, u is at least −1, and
+/// at least a parabola with the value and slope of u in its middle.
 #[test]
 fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 16\nmu = 1\n";
@@ -148,12 +142,8 @@ fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
     });
 }
 
-/// The straight beam w = 5/4 − x/2, or its mirror image, lies on a shear layer. It is claimed to be in contact on one
-/// half of its length, and out of contact on the other half, where it penetrates the ground. Checks the energy norm
-/// of the surface correction that removes the penetration. If the beam touches the ground at only one end of the half
-/// out of contact, the correction grows linearly from zero at this end to the other end. If the beam touches the
-/// ground at both ends of this half, the correction grows linearly from zero at each end to the middle. k, μ and the
-/// stiffness of the ground outside the beam are 1.
+/// Checks (10) of docs/proof.md for a straight beam that penetrates half of its shear layer, with k = μ = 1. The beam
+/// touches the ground at one end of this half, or at both ends if `pressed` is true.
 #[test]
 fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -186,8 +176,7 @@ fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
     }
 }
 
-/// The beam penetrates the surface u = 0 by (1 ∓ t)²(2 ± t)/4, which falls from 1 at one end to 0 at the other end.
-/// The bound of the penetration must be less than 1.3. Without halving the piece, the bound would be 2.
+/// The penetration (1 ∓ t)²(2 ± t)/4 falls from 1 to 0. Its bound must be less than 1.3; without halving it would be 2.
 #[test]
 fn the_depth_on_a_piece_is_found_by_halving() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -205,9 +194,7 @@ fn the_depth_on_a_piece_is_found_by_halving() {
     }
 }
 
-/// The clearance t² above the surface u = 0 has a double zero in the middle of the piece. The search for the largest
-/// penetration must end as soon as its bound is below the rounding error of the clearance. Two searches together may
-/// use at most 120 halvings.
+/// Checks that the search at the double zero of the clearance t² ends early: two searches use at most 120 halvings.
 #[test]
 fn a_double_zero_of_the_clearance_needs_few_halvings() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

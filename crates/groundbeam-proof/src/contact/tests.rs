@@ -16,9 +16,8 @@ use crate::size::Size;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// Checks the length L from `balanced_inside`, measured inward from an end of the piece. Let p be the smallest
-/// pressure on this length, reduced by the error bound of the pressure. Then the force Lp must be at least `missing`.
-/// If the pressure is nearly constant, L must be the shortest such length.
+/// Checks that the pressure on the length from `balanced_inside` balances the force `missing`. If the pressure is
+/// nearly constant, the length must be the shortest possible.
 #[test]
 fn the_length_inside_an_edge_balances_the_missing_force() {
     let mut random = numbers();
@@ -61,9 +60,8 @@ fn the_length_inside_an_edge_balances_the_missing_force() {
     assert!(found > 500, "{found}");
 }
 
-/// The pressure decreases linearly from 1 at one end of the piece to 0 in the middle of the piece. Checks the length,
-/// measured from the end with the pressure 1, on which the pressure has a given small resultant. The length must be
-/// nearly equal to the resultant, because the pressure is nearly 1 on this length.
+/// Checks the length for a pressure that falls from 1 at an end of the piece to 0 in its middle. For a small force, the
+/// length is nearly equal to the force.
 #[test]
 fn the_length_inside_an_edge_uses_the_pressure_near_the_edge() {
     for (side, sign) in [(0, -1.0), (1, 1.0)] {
@@ -77,8 +75,8 @@ fn the_length_inside_an_edge_uses_the_pressure_near_the_edge() {
     }
 }
 
-/// The pressure is zero at one end of the piece and increases inward. Checks that the lower bound of the pressure
-/// on a short part next to this end is not positive, despite the rounding error of the position of the end.
+/// The pressure is zero at an end of the piece and increases inward. The lower bound on a short part at this end must
+/// not be positive.
 #[test]
 fn the_pressure_on_a_short_part_is_not_above_that_at_the_end() {
     for (side, sign) in [(0, -1.0), (1, 1.0)] {
@@ -91,9 +89,8 @@ fn the_pressure_on_a_short_part_is_not_above_that_at_the_end() {
     }
 }
 
-/// Passes the fields of a claimed solution to `of`. The beam has four pieces of length ¼ and the deflection w = 1
-/// on a shear layer with k = μ = 1. Only the third piece is in contact, with the pressure p = 1. The stored half
-/// length of this piece is 0.15, so its local coordinate t = (x − 0.625)/0.15 runs from −5/6 to 5/6.
+/// Passes a claimed solution with w = 1 on four pieces of length ¼ to `of`. Only the third piece is in contact, with
+/// the pressure 1. Its stored half length is 0.15, so t runs from −5/6 to 5/6.
 fn with_region<T>(of: impl FnOnce(&mut Fields<Wide>) -> T) -> T {
     let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
     let piece = |i: usize| {
@@ -108,11 +105,8 @@ fn is(what: &str, found: Size, exact: f64) {
     assert!((found.value() / exact - 1.0).abs() < 1e-9, "{what}: {found:?} {exact}");
 }
 
-/// The contact region extends from node 2 to node 3, with the pressure 1. At each end, the force μu′ in the shear
-/// layer has the error bound 0.2 outside the region and 0.05 inside. So a concentrated contact force F at the end has
-/// the error bound 0.25. If the exact end lies inside the claimed region, its distance from the claimed end must be
-/// at most 0.25 − F. The jump of μu′ at the exact end, without the error 0.05, must be at most 0.2 − F. A negative
-/// bound counts as zero.
+/// Checks that a contact edge moves inward by at most 0.25 − F under the pressure 1. The concentrated force F has the
+/// error bound 0.2 from outside plus 0.05 from inside the region.
 #[test]
 fn an_edge_moves_inward_by_the_missing_force() {
     with_region(|fields| {
@@ -126,9 +120,8 @@ fn an_edge_moves_inward_by_the_missing_force() {
                 fields.surface.nodes[node].jump = Wide::of(jump);
                 let contact = Contact { fields, bounds: &bounds };
                 let found = contact.edge(node, side, &beside);
-                // The concentrated contact force 0.05 is less than its error bound 0.25, so the pressure 1 must
-                // balance the difference 0.2. The search for the exact end covers a length of 0.15, on which the
-                // pressure balances only 0.15. So the search finds no bound.
+                // For F = 0.05, the pressure must balance 0.2. On the searched length 0.15 it balances only 0.15, so no
+                // bound is found.
                 let Ok(found) = found else {
                     assert_eq!(jump, 0.05);
                     continue;
@@ -146,9 +139,7 @@ fn an_edge_moves_inward_by_the_missing_force() {
     });
 }
 
-/// The contact region has the length 0.25. The exact left end is proven to lie at most `left` to the right of the
-/// claimed left end, and the exact right end at most `right` to the left of the claimed right end. If `left` +
-/// `right` is less than 0.25, the exact solution is in contact somewhere in the region.
+/// Checks that a contact region of length 0.25 is proven if its edges move inward by less than 0.25 together.
 #[test]
 fn a_region_is_longer_than_the_bounds_of_its_edges() {
     with_region(|fields| {
@@ -172,9 +163,8 @@ fn a_region_is_longer_than_the_bounds_of_its_edges() {
     });
 }
 
-/// A concentrated contact force F with the error bound ε lies in the interval F ± ε, without negative values. If
-/// contact is not proven, the interval begins at zero. The exact force is proven to be positive only if the lower end
-/// of the interval is positive.
+/// Checks the interval F ± ε of a concentrated force F, without negative values. The interval begins at zero unless
+/// contact is proven.
 #[test]
 fn a_concentrated_force_is_positive_only_if_proven() {
     with_region(|fields| {
@@ -197,9 +187,8 @@ fn a_concentrated_force_is_positive_only_if_proven() {
     });
 }
 
-/// At an end of the beam, the force μu′ in the shear layer outside the beam is √(kμ) = 1 times the settlement u, so
-/// both have the same error bound. Under the beam, the error bound of μu′ is μ = 1 times that of the slope. On
-/// Winkler ground, μu′ is zero and has no error.
+/// Checks the error bound of the shear-layer force μu′: that of the settlement times √(kμ) = 1 beside the beam, that of
+/// the slope times μ = 1 under it, and zero on Winkler ground.
 #[test]
 fn the_error_of_the_flux_beside_the_beam_is_that_of_the_settlement_at_its_end() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\

@@ -43,8 +43,8 @@ fn the_cubic_and_its_derivatives_are_bounded() {
     }
 }
 
-/// The claimed deflection w and its slope w′ jump at every node. Checks that the corrected deflection is
-/// continuous, that its slope is continuous except at hinges, and that it satisfies pins and clamps.
+/// Checks that the corrected deflection has no jumps, that its slope jumps only at hinges, and that it satisfies pins
+/// and clamps. The claimed deflection and slope jump at every node.
 #[test]
 fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
     let mut random = numbers();
@@ -61,8 +61,8 @@ fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
             clamp(3) + &hinge(1),
             clamp(5) + &pinned(2),
         ];
-        // If the beam is stiff, its pieces are shorter than the characteristic length (4EI/k)^¼. Then the correction
-        // of the claimed deflection is linear on all pieces except the longest piece between two rigid supports.
+        // The pieces of a stiff beam are shorter than (4EI/k)^¼, so their corrections are linear, except on the longest
+        // piece between two rigid supports.
         let bending = if case % 2 == 0 { 1000.0 } else { 1e-3 };
         let text = format!(
             "[beam]\nlength = 5\nEI = {bending}\n[foundation]\nk = 1\n{}",
@@ -134,10 +134,8 @@ fn near(what: &str, a: Wide, b: Wide) {
     assert!((a - b).size() < 1e-12, "{what}: {a:?} {b:?}");
 }
 
-/// Two adjacent pieces have different claimed deflections. Checks that a piece shorter than the characteristic length
-/// (4EI/k)^¼ = 2.21 gets a linear correction of its deflection, and a longer piece a cubic correction. The corrected
-/// deflection at the common node must be the claimed deflection of the piece with the linear correction. If both
-/// corrections are cubic, it must be the claimed deflection of the shorter piece.
+/// Checks that the claimed deflection of the shorter of two pieces is kept at their common node. Pieces longer than
+/// (4EI/k)^¼ = 2.21 must have a cubic correction.
 #[test]
 fn the_claim_of_the_shorter_of_two_long_pieces_is_kept() {
     for ([left, right], bends, kept) in [
@@ -172,9 +170,8 @@ fn the_longest_piece_between_rigid_supports_bends() {
     }
 }
 
-/// Checks the corrected rotation at a rigid support. It must be the claimed rotation of the adjacent piece whose
-/// correction is linear, or of the right piece if the corrections of both adjacent pieces are linear. In the last
-/// example of this test, the right piece has a cubic correction, because it is the only piece between two supports.
+/// Checks that the claimed rotation of an adjacent piece with a linear correction is kept at a rigid support. If both
+/// corrections are linear, that of the right piece is kept.
 #[test]
 fn the_rotation_at_a_support_is_that_of_a_short_piece() {
     let pin = |at: f64| format!("[[support]]\nat = {at:?}\ntype = 'pinned'\n");

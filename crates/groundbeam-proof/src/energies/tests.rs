@@ -57,9 +57,8 @@ fn model(text: &str, ground: [[f64; 2]; 2]) -> Model<f64> {
     model
 }
 
-/// Checks the energies of a document against four given numbers: `strain` is twice the elastic energy without the
-/// effect of the axial force P, `curled` is ∫EIκ₀² dx with the imposed curvature κ₀, `axial` is ∫Pw′² dx with the
-/// deflection w, and `work` is the work of the loads.
+/// Checks the energies of a document. `strain` is twice the elastic energy, `curled` is ∫EIκ₀², `axial` is ∫Pw′², and
+/// `work` is the work of the loads.
 fn agree(model: &Model<f64>, document: &Value, [strain, curled, axial, work]: [f64; 4]) {
     let answer = Answer::from_json(&document.to_string()).expect("an answer");
     let frame = frame(model, &answer, Some(0.5), &[]).expect("a frame");
@@ -128,8 +127,8 @@ fn the_energies_of_a_beam_in_contact_are_integrals() {
     );
 }
 
-/// Checks the energies of a beam that touches the ground up to x = 1. The ground carries a distributed load q on its
-/// whole length, and a point force at x = 1.5. For x > 1, the settlement is u = q/k + v, where μv″ = kv and u′(2) = 0.
+/// Checks the energies with contact up to x = 1. The ground ends at x = 2 and carries a distributed load and a point
+/// force at x = 1.5.
 #[test]
 fn the_energies_of_open_ground_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 1.5\n\
@@ -144,9 +143,8 @@ fn the_energies_of_open_ground_are_integrals() {
     let (k, mu, force, b) = (2.0, 1.5, 0.75, (2.0_f64 / 1.5).sqrt());
     let (sinh, cosh) = ((0.5 * b).sinh(), (0.5 * b).cosh());
     let (free, rise) = (|x: f64| (0.5 + 0.5 * x) / k, 0.5 / k);
-    // The ground displacement is u = q/k + v, with the load q on the ground and a solution v of the homogeneous
-    // equation. Let b = √(k/μ), and let `rise` be the slope of q/k. Then v = A cosh b(x − 1) + D sinh b(x − 1) for x ≤
-    // 1.5. For x ≥ 1.5, v = C cosh b(2 − x) + (`rise`/b) sinh b(2 − x). The constants A, C and D are `a`, `c` and `d`.
+    // Out of contact, u = q/k + v, where q/k has the slope `rise`. v = a cosh b(x − 1) + d sinh b(x − 1) for x ≤ 1.5,
+    // and v = c cosh b(2 − x) + (`rise`/b) sinh b(2 − x) for x ≥ 1.5.
     let a = 0.75 - free(1.0);
     let equations = [rise / b * sinh - a * cosh, force / (mu * b) - a * sinh - rise / b * cosh];
     let whole = sinh * sinh + cosh * cosh;
@@ -170,9 +168,8 @@ fn the_energies_of_open_ground_are_integrals() {
     agree(&model(text, [[1.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Checks the energies of ground that the beam does not touch, with the ground displacement u. The first ground is
-/// Winkler ground under a load q, where u = q/k. The second ground is a shear layer with varying μ. Its displacement is
-/// u = 1 + x under the load q = ku − μ′.
+/// Checks the energies of loaded ground without contact: Winkler ground with u = q/k, and a shear layer with varying μ
+/// and u = 1 + x under the load q = ku − μ′.
 #[test]
 fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
     let beam = "[beam]\nlength = 2\nEI = 3\n[[gap]]\nat = 0\nvalue = 100\n";
@@ -211,11 +208,8 @@ fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
     );
 }
 
-/// Checks the energies of ground with a shear layer from x = 1 to 5, and Winkler ground from x = 0 to 1. The beam
-/// touches the ground up to x = 2, from 3 to 3.5, and under the force at 4.5. A distributed load q acts on the ground
-/// from x = 1 to 5, and a point force acts on the ground at x = 2.5. Where the beam does not touch the layer, the
-/// ground displacement is u = q/k + v with a solution v of μv″ = kv, and u has given values at the ends of each such
-/// stretch.
+/// Checks the energies of Winkler ground up to x = 1 and a loaded shear layer from 1 to 5. The beam touches the ground
+/// up to 2, from 3 to 3.5 and at 4.5. A point force acts on the ground at 2.5.
 #[test]
 fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     let (k, mu, b) = (2.0, 0.5, 2.0_f64);
@@ -266,10 +260,8 @@ fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     agree(&model(text, [[2.0; 2], [0.0; 2]]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Checks the energies of ground with a shear layer that the beam does not touch. A distributed load acts on the ground
-/// along the beam, point forces act on the ground at x = 1 and at the right end, and further forces act on the ground
-/// outside the beam. The ground displacement u and its slope u′ at the right end follow from u at the left end and from
-/// the force μu′ in the layer just outside the left end.
+/// Checks the energies of a shear layer without contact, with loads below and beside the beam. The displacement at the
+/// left end follows from the equilibrium of the right end.
 #[test]
 fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\n\
@@ -307,10 +299,8 @@ fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
     agree(&model(text, [[0.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Checks the energies of two pieces out of contact, with given ground displacements at their ends. On the first piece,
-/// k and μ are constant, and the displacement is u = q/k + v with the load q on the ground and a solution v of the
-/// homogeneous equation. On the second piece, μ varies, and u is the stored polynomial. Twice the energy of the ground
-/// on the second piece is ∫qu dx plus μu′u at the right end minus μu′u at the left end.
+/// Checks the energies of two pieces out of contact with given ground displacements at their ends. On the second piece,
+/// μ varies, and the displacement is the stored polynomial.
 #[test]
 fn the_energies_of_a_stored_surface_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n\
@@ -335,9 +325,8 @@ fn the_energies_of_a_stored_surface_are_integrals() {
     agree(&model(text, [[2.0; 2], [0.5, 1.0]]), &document, [strain, 0.0, 0.0, first + second]);
 }
 
-/// Checks the upper bounds, on each piece, of the flexibility g of a shear layer with two free ends. g is the
-/// displacement of the ground at x under a unit force at x. With constant k and μ, g is largest at the ends of the
-/// layer, where 1/g = √(kμ) tanh(bL) with the length L of the layer and b = √(k/μ). This value limits all bounds.
+/// Checks the bounds of the flexibility g of a shear layer of length L with free ends. With b = √(k/μ), g is largest at
+/// the ends, where 1/g = √(kμ) tanh(bL).
 #[test]
 fn the_flexibility_of_a_free_layer_is_that_of_its_end() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 2, as = 'free' }\n\

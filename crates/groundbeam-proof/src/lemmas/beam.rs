@@ -16,9 +16,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::kink;
 
-/// Checks the bound of the energy K² (section 4 of docs/proof.md) of the test function z = t(1 − t/h)². Here h is the
-/// length on which z is not zero, and t is the distance from one end of this length. Springs lie where z and z′ are
-/// largest.
+/// Checks the bound of K² (section 4 of docs/proof.md) for the test function z = t(1 − t/h)². Springs lie where z and
+/// z′ are largest.
 #[test]
 fn the_energy_of_test_functions_is_bounded() {
     let mut random = numbers();
@@ -42,9 +41,8 @@ fn the_energy_of_test_functions_is_bounded() {
     }
 }
 
-/// Checks the bound of the energy K² (section 4 of docs/proof.md) of a test function z that is zero on one side of
-/// a position x and equal to the distance from x on the other side. On each piece, x is the end for which this
-/// energy is larger.
+/// Checks the bound of K² (section 4 of docs/proof.md) for test functions that are zero on one side of x and linear on
+/// the other side. On each piece, x is the end with the larger K².
 #[test]
 fn the_energy_of_linear_test_functions_is_bounded() {
     let mut random = numbers();
@@ -97,9 +95,8 @@ fn the_energy_of_linear_test_functions_is_bounded() {
     }
 }
 
-/// Returns a random error e of the deflection on 0 ≤ x ≤ h: its values on a grid, and two norms. The slope e′ is
-/// the sum of an error e_φ of the rotation and an error γ of the shear strain. The norms are (∫e_φ′²)^½ and
-/// (∫γ²)^½.
+/// Returns a random error of the deflection on 0 ≤ x ≤ h: its values on a grid, and the norms (∫e_φ′²)^½ and (∫γ²)^½.
+/// Its slope is the sum of a rotation e_φ and a shear strain γ.
 fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<f64>, [f64; 2]) {
     let step = h / COUNT as f64;
     let bent = [random(), random(), random(), random()].map(|c| c * 3.0);
@@ -118,9 +115,8 @@ fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<
     (values, [s.sqrt(), sheared.sqrt()])
 }
 
-/// Checks the bounds of section 4 of docs/proof.md for the error e of the deflection. Bound (12) follows from the
-/// mean of |e| on an interval. The other bounds follow from the values of e at two positions, and hold between and
-/// beyond them.
+/// Checks the bounds of the error of the deflection in section 4 of docs/proof.md: (12) from its mean, and the bounds
+/// between and beyond two anchors.
 #[test]
 fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     let mut random = numbers();
@@ -155,9 +151,7 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     assert!(sharpest.iter().all(|ratio| *ratio > 0.6), "{sharpest:?}");
 }
 
-/// Checks (7) of docs/proof.md: a load on a simply supported cell causes a moment of at most a quarter of load
-/// times length. Here the load is the change of the contact pressure that restores equilibrium. The bound is compared
-/// with the exact moment due to this load.
+/// Compares the bound (7) of docs/proof.md with the exact moment in a cell due to the redistributed pressure.
 #[test]
 fn the_moment_of_redistributed_loads_is_bounded() {
     let mut random = numbers();
@@ -202,8 +196,8 @@ fn the_moment_of_redistributed_loads_is_bounded() {
     assert!(sharpest > 0.3, "{sharpest}");
 }
 
-/// Checks the inequality of [`Compression::as_tension`] for random numbers, and for a stiffness at which its two
-/// sides are equal.
+/// Checks the effect of a compression on bounds from test functions, for random numbers and for a stiffness at which
+/// the bound is exact.
 #[test]
 fn the_compression_in_test_functions_is_bounded_and_sharp() {
     let mut random = numbers();

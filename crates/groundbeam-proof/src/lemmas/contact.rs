@@ -7,9 +7,8 @@ use crate::given_claim::with_fields;
 use crate::pointwise::PieceBounds;
 use serde_json::json;
 
-/// Returns the result of `Contact::bends_open` for the node at x = 1: whether the slope of the clearance between beam
-/// and ground just right of the node is proven to be at least as large as just left of it. `gap` contains the initial
-/// gap g₀ at x = 0, 1 and 2. `added` contains additional tables of the model file.
+/// Returns `Contact::bends_open` for the node at x = 1. `gap` contains the initial gap at x = 0, 1 and 2, and `added`
+/// further tables of the model file.
 fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
     let corner = |(at, value): (usize, &f64)| format!("[[gap]]\nat = {at}\nvalue = {value}\n");
@@ -32,9 +31,8 @@ fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     })
 }
 
-/// At a node out of contact, the slope of the exact clearance jumps by [g₀′] + F/(S + P) under a downward point force
-/// F. Here [g₀′] is the jump of the slope of the initial gap, S the shear stiffness and P the axial tension of the
-/// beam. Without shear deformation, the jump is [g₀′]. At a support, F is the reaction, whose sign is unknown.
+/// Checks the jump of the slope of the clearance at a node: [g₀′], plus F/(S + P) under a downward force F if the beam
+/// has shear deformation. The reaction F of a support has an unknown sign.
 #[test]
 fn the_clearance_bends_open_at_upward_corners_and_under_loads() {
     let down = "[[load]]\npoint = 1e-9\nat = 1\n";
@@ -65,9 +63,8 @@ fn the_clearance_bends_open_at_upward_corners_and_under_loads() {
     }
 }
 
-/// The slope of the beam may jump at a hinge, and where the shear stiffness S of the beam jumps. The slope of the
-/// ground may jump under a force on the ground, and where the stiffness μ of the shear layer jumps. The sizes of
-/// these jumps are unknown, so nothing is proven.
+/// Checks that nothing is proven at hinges, forces on the ground, and jumps of μ or of the shear stiffness. The slope
+/// jumps there by an unknown amount.
 #[test]
 fn the_clearance_may_bend_shut_at_hinges_and_steps() {
     let ground = "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = ";

@@ -31,17 +31,16 @@ fn of_t(c: &[f64], middle: f64, half: f64) -> Vec<f64> {
     sum
 }
 
-/// Returns an upper bound of the stiffness of the ground at one end of a stretch, computed with linear finite
-/// elements. `stiffness` is the stiffness of the ground beyond the other end. Each stiffness is a force per unit of
-/// settlement.
+/// Returns an upper bound of the ground stiffness at one end of a stretch, by linear finite elements. `stiffness` is
+/// the stiffness of the ground beyond the other end.
 fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     let h = length / COUNT as f64;
     let [own, across] = [k * h / 3.0 + mu / h, k * h / 6.0 - mu / h];
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// Returns a lower bound of the flexibility of ground out of contact, computed with linear finite elements. The
-/// flexibility is the settlement of a node under a unit force at this node.
+/// Returns a lower bound of the settlement of a node out of contact under a unit force at the node, by linear finite
+/// elements.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();
@@ -49,9 +48,8 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// Checks (4a) of docs/proof.md: a residual force r on ground out of contact has the energy r²g, where g is the
-/// flexibility of the ground at the force. The claimed solution raises the ground surface by w at one node. This
-/// takes the tensile force r = w/g, which is the residual force.
+/// Checks the bound |r|√g of the norm of a residual force r on ground with the flexibility g, see (4a) of
+/// docs/proof.md. The claimed surface is raised at one node by a tensile force r.
 #[test]
 fn the_energy_of_a_residual_force_is_bounded() {
     let mut random = numbers();
@@ -92,17 +90,16 @@ fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> 
     let at = |i: usize| load((i as f64 + 0.5) * h) * h;
     let (mut sum, mut before) = (0.0, 0.0);
     for i in 0..COUNT {
-        // This interval adds the square of its load to the energy, and twice the product of its load and `before`. `before`
-        // is the sum of all loads to the left, each reduced by its exponential decay up to this interval.
+        // The interval adds the square of its load, and twice its load times `before`, the decayed sum of the loads to
+        // its left.
         sum += at(i) * (2.0 * before + at(i));
         before = (before + at(i)) * fall;
     }
     sum / (2.0 * (k * mu).sqrt())
 }
 
-/// Checks bounds of the tensile part max(−p, 0) of random polynomial pressures p. Let p ≥ −η, and let ω be the total
-/// length on which p < 0. Then the tensile part has at most the resultant ηω. In ground with the subgrade modulus k,
-/// it causes at most the energy η²ω/k.
+/// Checks the bounds ηω of the resultant and η²ω/k of the energy of the tensile part of a pressure p. Here p ≥ −η, and
+/// p < 0 on the length ω.
 #[test]
 fn the_energy_of_tensile_pressures_is_bounded() {
     let mut random = numbers();
@@ -140,9 +137,8 @@ fn the_energy_of_tensile_pressures_is_bounded() {
     assert!(sharpest > 0.9, "{sharpest}");
 }
 
-/// Checks a stiff beam of length l between two supports that hold it at the height w above the ground. The claimed solution
-/// is in contact everywhere, so its pressure and its end forces √(kμ)w are tensile. The exact pressure is zero, so the
-/// bound of the error energy is at least ½w²(kl + 2√(kμ)), the energy of the ground with the claimed surface.
+/// Checks a stiff beam that is held at the height w above the ground but claimed in contact. The bound of the error
+/// energy is at least ½w²(kl + 2√(kμ)), the energy of the claimed surface.
 #[test]
 fn the_energy_of_a_surface_under_tension_is_bounded() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {
@@ -164,12 +160,10 @@ fn the_energy_of_a_surface_under_tension_is_bounded() {
     }
 }
 
-/// Checks the bound (10) of docs/proof.md on random stretches that are claimed to be out of contact although the beam
-/// penetrates the ground. A stretch lies between a contact and an end of the beam, or between two contacts.
+/// Checks (10) of docs/proof.md on random stretches that the beam penetrates.
 ///
-/// (10) bounds the energy of the surface correction that removes the penetration. If the correction is zero at the
-/// contacts and c at the distance y from one of them, its energy is at least c²(√(kμ) coth(by) + S). Here b = √(k/μ),
-/// and S is the stiffness of the ground on the other side of the point at the distance y.
+/// If a correction is c at the distance y from a contact, its squared norm is at least c²(√(kμ) coth(by) + S). Here
+/// b = √(k/μ), and S is the stiffness of the ground beyond y.
 #[test]
 fn the_energy_of_the_raised_ground_is_bounded() {
     let mut random = numbers();
@@ -183,8 +177,8 @@ fn the_energy_of_the_raised_ground_is_bounded() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // On the stretch out of contact, the deflection of the beam is a straight line plus a polynomial. The
-        // polynomial and its slope are zero at every end of the stretch that adjoins a contact.
+        // The deflection out of contact is a straight line plus a polynomial. The polynomial and its slope are zero at
+        // each contact.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {

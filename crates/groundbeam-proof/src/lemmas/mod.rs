@@ -64,9 +64,8 @@ fn force(at: f64, size: f64) -> Load<Ball> {
     Load { action: Action::Force, extent, on_ground: false }
 }
 
-/// Returns a claimed solution with one piece for each stretch of ground. `pieces` contains, for each piece,
-/// whether it is in contact, and the coefficients of w as a polynomial in the local coordinate −1 ≤ t ≤ 1.
-/// `forces` contains the positions of concentrated contact forces.
+/// Returns a claimed solution with one piece for each stretch of ground. `pieces` contains the contact and the
+/// coefficients of w in t, and `forces` the positions of contact forces.
 fn claim(ground: &[Stretch], pieces: &[(bool, Vec<f64>)], forces: &[f64]) -> Answer {
     let mut to = 0.0;
     let piece = |([length, ..], (touches, deflection)): (&Stretch, &(bool, Vec<f64>))| {

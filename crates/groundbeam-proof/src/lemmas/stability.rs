@@ -10,8 +10,8 @@ use crate::scalar::Scalar;
 use crate::wide::Wide;
 use std::f64::consts::PI;
 
-/// Returns a beam of length 1 with EI = 1 and the given supports, which must be at the ends or quarter points.
-/// `shear` is the shear stiffness of the beam, and `hinge` is the rotational stiffness of a hinge at midspan.
+/// Returns a beam of length 1 with EI = 1. Its supports must lie at its ends or quarter points. `shear` is the shear
+/// stiffness, and `hinge` the rotational stiffness of a hinge at midspan.
 fn beam(
     supports: &[(f64, SupportKind<f64>)],
     shear: Option<f64>,
@@ -105,8 +105,8 @@ fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
 fn lower_bounds_of_critical_loads_are_sharp() {
     use SupportKind::{Fixed, Pinned};
     let spring = |spring, rotational_spring| SupportKind::Spring { spring, rotational_spring };
-    // `tangent` is the smallest positive root z of tan z = z, and `held` is that of z tan z = 2. The squares of these
-    // roots are critical loads, because the beams have EI = 1 and length 1.
+    // `tangent` is the smallest positive root of tan z = z, and `held` that of z tan z = 2. Their squares are critical
+    // loads.
     let tangent: f64 = 4.493_409_457_909_064;
     let held: f64 = 1.076_873_986_311_804;
     for (supports, hinge, critical) in [
@@ -122,8 +122,8 @@ fn lower_bounds_of_critical_loads_are_sharp() {
             None,
             4.0 * PI * PI,
         ),
-        // A column with EI = 1 and length 1 has one free end. At its other end, it has a lateral support and a
-        // rotational spring with the stiffness k_θ. Its critical load z² satisfies z tan z = k_θ.
+        // A column with one free end, and a lateral support and a rotational spring k_θ at the other end, has the
+        // critical load z² with z tan z = k_θ.
         (vec![(0.0, Pinned), (0.0, spring(0.0, 2.0))], None, held * held),
         (vec![(0.0, Pinned), (1.0, Pinned)], Some(1.0), 4.0 * held_by_hinge()),
     ] {
@@ -149,9 +149,8 @@ fn the_critical_load_of_a_cantilever_decreases_with_the_square_of_its_length() {
     }
 }
 
-/// Returns a quarter of the critical load of a pinned column with EI = 1, length 1 and an elastic hinge at midspan.
-/// The hinge has the rotational stiffness k_φ = 1. By symmetry, each half is a column of length ½ with a rotational
-/// spring at the hinge, whose stiffness is 2k_φ. So the critical load is (z/½)², where z tan z = 2k_φ·½ = 1.
+/// Returns a quarter of the critical load of a pinned column with an elastic hinge of stiffness 1 at midspan. By
+/// symmetry, it is z² with z tan z = 1.
 fn held_by_hinge() -> f64 {
     let z: f64 = 0.860_333_589_019_379_8;
     z * z
@@ -187,10 +186,8 @@ fn an_unsupported_beam_has_no_critical_load() {
     assert_eq!(margin(&hung, 1e-3), None);
 }
 
-/// The margin is a number σ such that the work of the compression is at most 1 − σ times the strain energy. First
-/// example: the longest span between pins is l = ¾, and the compression N = 1 with EI = 1 gives the margin 1 −
-/// Nl²/π². Second example: a strong spring in the middle of a pinned beam of length 1 halves the buckling length, so
-/// the critical load is 4π². A bound of the margin that ignores the spring is smaller.
+/// Checks that the larger of two bounds of the margin counts: first the bound from spans, with the longest span ¾, then
+/// the bound from elements, with a strong spring at midspan.
 #[test]
 fn the_larger_of_two_bounds_of_the_margin_counts() {
     let pin = SupportKind::Pinned;

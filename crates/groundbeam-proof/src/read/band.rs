@@ -16,8 +16,8 @@ pub(crate) struct Factored<S> {
 /// resulting variant of the ground.
 type Step<S> = (S, f64);
 
-/// Returns the variants of the ground: first the best estimate, then every combination of a factor on k with a factor
-/// on μ. Each factor is the low, the best or the high one. The list is empty if the file has no `[foundation.band]`.
+/// Returns the variants of the ground: the best estimate first, then every other combination of the low, best and high
+/// factors on k and μ. The list is empty if the file has no `[foundation.band]`.
 pub(crate) fn read<S: Scalar>(
     fields: &mut Fields,
     root: Section,

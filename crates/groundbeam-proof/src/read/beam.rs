@@ -48,8 +48,8 @@ pub(crate) struct Stretch<S> {
     pub of: Option<Along<S>>,
 }
 
-/// The depth of the cross section on a stretch of the beam, in two forms: as an exact decimal with its unit, and as a
-/// number of the type that the proof uses. The depth is `None` if it is not constant on the stretch.
+/// The depth of the cross section on a stretch of the beam, as an exact decimal and as a number of the proof; `None` if
+/// it is unknown or not constant.
 pub(crate) struct Depth<S> {
     pub ends: [S; 2],
     pub of: Option<(Exact, S)>,

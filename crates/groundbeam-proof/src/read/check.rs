@@ -8,8 +8,8 @@ use crate::{
     Action, Course, Extent, Ground, GroundEnd, Hinge, Load, Model, Scalar, Support, SupportKind,
 };
 
-/// Returns an error if a number is out of range, two supports or two hinges have the same position, a moment or a
-/// rotational restraint is at a hinge, or a load on the ground is not allowed.
+/// Refuses numbers out of range, two supports or two hinges at one position, moments and rotational restraints at
+/// hinges, and loads on the ground that are not allowed.
 pub(crate) fn check<S: Scalar>(model: &Model<S>) -> Read<()> {
     ranges(model)?;
     let supports = sorted(model.supports.iter().map(|support| support.at));
@@ -100,8 +100,8 @@ fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// Checks that the loads on the ground do not lie beyond the ends of the ground. If there are such loads, k and μ
-/// must be constant along each ground segment. A point force on the ground under the beam must act on a shear layer.
+/// Refuses loads beyond the ends of the ground, loads on ground with varying k or μ, and point forces on Winkler ground
+/// under the beam.
 fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     let ground = &model.ground;
     if !model.loads.iter().any(|load| load.on_ground) {
@@ -133,8 +133,8 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// Shear layers of the ground. `segments` contains, for each ground segment from left to right, its two ends and
-/// whether it has a shear layer. `elsewhere` is true if the ground outside all segments has a shear layer.
+/// Shear layers of the ground. `segments` lists, from left to right, the ends of each ground segment and whether it has
+/// a shear layer. `elsewhere` holds outside all segments.
 struct Layers<S> {
     segments: Vec<([S; 2], bool)>,
     elsewhere: bool,

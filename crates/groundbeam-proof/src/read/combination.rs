@@ -19,8 +19,8 @@ struct Recipe {
     factors: BTreeMap<String, String>,
 }
 
-/// Returns the loads of a combination, without loads that have the factor 0. Also returns the variant of the ground if
-/// the file has `[foundation.band]`. If `combination` is `None`, returns all loads with their values in the file.
+/// Returns the loads of a combination, without loads that have the factor 0, and its variant of the ground. If
+/// `combination` is `None`, returns all loads with their values in the file.
 pub(crate) fn select<'g, S: Scalar>(
     root: Section,
     loads: Vec<Cased<S>>,
@@ -48,8 +48,8 @@ pub(crate) fn select<'g, S: Scalar>(
     }
 }
 
-/// A combination on one variant of the ground: its name, its factors and the variant. The factors are `None` if all
-/// loads act with their values in the file. The variant is `None` if the file has no `[foundation.band]`.
+/// Name, factors and ground variant of a combination. `None` stands for loads with their values in the file, or for
+/// ground without `[foundation.band]`.
 type OnGround<'r, 'g, S> = (String, Option<&'r Recipe>, Option<&'g Factored<S>>);
 
 /// Returns every combination of the file on every variant of the ground.

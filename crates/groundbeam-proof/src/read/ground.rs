@@ -188,8 +188,8 @@ impl<S: Scalar> Whole<S> {
             // Outside the beam, a quantity that varies along the beam keeps its value at the beam's end.
             (spring, shear) = (even(spring, table.at)?, even(shear, table.at)?);
         } else if self.varies() {
-            // If k or μ of `[foundation]` varies along the beam, a segment that extends beyond the beam is cut at the
-            // end of the beam. This cut is not allowed for a segment that itself gives a varying k or μ.
+            // If `[foundation]` varies along the beam, a segment that extends beyond the beam is cut at the end of the
+            // beam. Its own k and μ must then be constant.
             let before = is_left(from, S::zero());
             let behind = is_left(length, to);
             if (before || behind) && own_varies {

@@ -123,10 +123,8 @@ fn place<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Quantity<S>> {
     fields.required(table, "at", POSITION)
 }
 
-/// Returns the curvature of the beam per unit difference of temperature or shrinkage between top and bottom; `None` for
-/// other loads. It is α/h for a temperature difference and −1/h for a shrinkage difference, where h is the depth of the
-/// cross section and α the coefficient of thermal expansion. A warmer top bends the ends of the beam down, which is a
-/// positive curvature.
+/// Returns the curvature per unit difference of temperature or shrinkage between top and bottom; `None` for other
+/// loads. A warmer top bends the ends of the beam down, which is a positive curvature.
 fn curvature_per<S: Scalar>(
     fields: &mut Fields,
     table: Section,

@@ -1,9 +1,7 @@
 //! Materials by name: E, unit weight and thermal expansion.
 //!
-//! The values are transcribed from standards. Concrete is from EN 1992-1-1, table 3.1 and 3.1.3, structural steel
-//! from EN 1993-1-1, 3.2.6. Rail steel has the values of structural steel. Softwood and hardwood are from EN 338,
-//! tables 1 and 3, and glued laminated timber is from EN 14080, tables 4 and 5. The unit weights are from EN
-//! 1991-1-1, annex A, and the thermal expansion of timber is from EN 1991-1-5, table C.1.
+//! The unit weights are from EN 1991-1-1, annex A. Those of hardwood follow from the mean density in EN 338. The
+//! thermal expansion of timber is from EN 1991-1-5, table C.1.
 
 use super::error::{Read, wrong};
 use super::fields::{EXPANSION, Kind, MODULUS, Quantity, Section, UNIT_WEIGHT, listed};
@@ -28,6 +26,7 @@ pub(crate) struct Material {
 }
 
 const FAMILIES: [Family; 4] = [
+    // Concrete: EN 1992-1-1, table 3.1 and 3.1.3.
     Family {
         unit_weight: "25",
         expansion: "10",
@@ -48,6 +47,7 @@ const FAMILIES: [Family; 4] = [
             ("C90/105", "44", ""),
         ],
     },
+    // Structural steel: EN 1993-1-1, 3.2.6. Rail steel has the same values.
     Family {
         unit_weight: "78.5",
         expansion: "12",
@@ -67,6 +67,7 @@ const FAMILIES: [Family; 4] = [
             ("R350LHT", "210", ""),
         ],
     },
+    // Softwood and hardwood: EN 338, tables 1 and 3.
     Family {
         unit_weight: "",
         expansion: "5",
@@ -99,6 +100,7 @@ const FAMILIES: [Family; 4] = [
             ("timber D80", "24", "10.591182"),
         ],
     },
+    // Glued laminated timber: EN 14080, tables 4 and 5.
     Family {
         unit_weight: "",
         expansion: "5",

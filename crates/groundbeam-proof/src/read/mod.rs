@@ -1,11 +1,8 @@
 //! The second reader of model files: TOML, units and sections read into exact numbers or balls.
 //!
-//! The second reader shares no code with the crate that reads model files for the solver. The tables of rolled
-//! sections are the only data that both readers use. The second reader refuses four kinds of data with
-//! [`Reason::NotRead`]. It refuses modified Vlasov soil, because its k and μ depend on the solution, and gap troughs,
-//! because they are approximated. It refuses gap surveys, because they are separate files, and trains, because each
-//! position of a train is another model. Reading ends at the first fault. The key `title`, the table `[checks]` and
-//! limit states do not change the model and are ignored.
+//! This reader shares only the tables of rolled sections with the reader of the solver. It refuses modified Vlasov
+//! soil, gap troughs, gap surveys and trains with [`Reason::NotRead`]. It ignores `title`, `[checks]` and limit states.
+//! Reading ends at the first fault.
 
 mod asce;
 mod band;

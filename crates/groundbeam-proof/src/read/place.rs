@@ -9,9 +9,8 @@ pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
     (b - a).low() > 0.0
 }
 
-/// Returns the parts of the beam from 0 to `length` that no stretch covers, from left to right. The ends of each
-/// part are given as positions and as fractions of `length`. Without stretches, the result is the whole beam with
-/// the exact fractions 0 and 1.
+/// Returns the parts of the beam from 0 to `length` that no stretch covers, from left to right. The ends of each part
+/// are positions, then fractions of `length`.
 pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2], [S; 2])> {
     if stretches.is_empty() {
         return vec![([S::zero(), length], [S::zero(), S::one()])];

@@ -1,7 +1,7 @@
 //! Rolled sections and rails by name: area, second moment and shear area from the listed dimensions.
 //!
-//! The tables of dimensions are plain data. They are the only data that both readers of model files share. The
-//! rails are transcribed in this file.
+//! The tables of dimensions are the only data that both readers of model files share. The rails are transcribed in this
+//! file.
 
 use super::error::{Read, wrong};
 use super::fields::{AREA, Along, Fields, LENGTH, Quantity, SECOND_MOMENT, Section, listed};
@@ -16,9 +16,8 @@ const AMERICAN: &str = include_str!("../../../groundbeam-file/sections/w.tsv");
 /// Hollow sections. Columns: name, height (diameter of a tube), width (empty for a tube) and wall thickness in mm.
 const HOLLOW: &str = include_str!("../../../groundbeam-file/sections/hollow.tsv");
 
-/// Rolled rails: name, area and second moment of area about the horizontal axis. 60E1, 60E2 and 54E1 are from EN
-/// 13674-1, annex A. UIC60 and UIC54 are from UIC 860 V, the RE rails from AREMA's Manual, chapter 4, and AS50 and
-/// AS60 from AS 1085.1.
+/// Rolled rails: name, area and second moment of area about the horizontal axis. Sources: EN 13674-1, annex A (60E1,
+/// 60E2, 54E1), UIC 860 V (UIC), AREMA's Manual, chapter 4 (RE), AS 1085.1 (AS).
 const RAILS: [(&str, &str, &str); 11] = [
     ("60E1", "76.70 cm^2", "3038.3 cm^4"),
     ("60E2", "76.48 cm^2", "3021.5 cm^4"),
@@ -108,9 +107,8 @@ fn rolled<S: Scalar>(wanted: &str, at: usize) -> Read<Option<Shape<S>>> {
     Ok(None)
 }
 
-/// Area, second moment and shear area of a hollow rectangle with the wall thickness t. Its outer corners have the
-/// radius 1.5 t and its inner corners the radius t (EN 10210-2, annex B). The shear area is the area of the webs
-/// between the flanges.
+/// Area, second moment and shear area of a hollow rectangle with the wall thickness t. The outer corners have the
+/// radius 1.5 t, the inner corners the radius t (EN 10210-2, annex B).
 fn hollow<S: Scalar>(h: S, b: S, t: S) -> Measures<S> {
     let rounded = |h: S, b: S, radius: S| {
         let [h, b, radius] = [h, b, radius].map(Course::Constant);

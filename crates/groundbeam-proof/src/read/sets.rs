@@ -35,9 +35,8 @@ pub(crate) struct Made {
     pub factors: Vec<(usize, String)>,
 }
 
-/// Returns the combinations of load cases that a set defines, without duplicates and in the order of the set. Returns an
-/// error if there is no combination. `has_caseless` states whether the file has loads without a load case. If it has
-/// such loads, a combination may consist of them alone.
+/// Returns the combinations of load cases that a set defines, without duplicates. If the file has loads without a case
+/// (`has_caseless`), a combination may consist of them alone.
 pub(crate) fn expand(
     name: &str,
     cases: &[Acting],
@@ -128,9 +127,9 @@ fn decimal(factor: Micro) -> String {
 /// The terms of an expression. Each term lists its possible actions with their factors.
 type Lists = [Vec<(&'static str, Micro)>];
 
-/// Returns lists of terms of an expression: one list for each action that can lead, and one list for combinations
-/// without a leading action. Each term consists of alternative actions, of which a combination contains at most one.
-/// The flag beside a list is true if every combination must contain an action of the first term in the list.
+/// Returns lists of terms of an expression: one for each leading action, and one without a leading action. A
+/// combination contains at most one action of each term. If the flag of a list is true, an action of its first term
+/// must act.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [Action],
@@ -206,9 +205,8 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Completes the combination with actions from `terms` in all possible ways. Each term lists alternative actions,
-    /// of which a combination contains at most one. If `must_act` is true, the combination must contain an action of
-    /// the first term.
+    /// Completes the combination in all possible ways with at most one action of each term in `terms`. If `must_act` is
+    /// true, an action of the first term must act.
     fn variable(
         &mut self,
         label: &'static str,

@@ -1,8 +1,7 @@
 //! Area, second moment of area and shear area of a cross section, as polynomials of its dimensions.
 //!
-//! The shear area is the area divided by the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of the area
-//! of a rectangle, 9/10 of that of a circle, and half of that of a tube. For a box, an I or a T it is the
-//! area of the webs between the flanges.
+//! The shear area of a box, an I or a T is the area of the webs between the flanges. The shear areas of other shapes
+//! follow from the form factors of Roark's Formulas, 8th ed., 8.10.
 
 use super::course::{plus, scaled, times};
 use super::fields::Along;
@@ -90,8 +89,7 @@ pub(crate) fn tube<S: Scalar>(d: &Course<S>, t: &Course<S>) -> Measures<S> {
     Ok([area, second_moment, shear])
 }
 
-/// A box with the width b, the height h and the wall thickness t. It has the area A = 2t (b + h − 2t), the second
-/// moment of area I = (b h³ − (b − 2t)(h − 2t)³)/12 and the web area 2t (h − 2t).
+/// Area, second moment and shear area of a box with the width b, the height h and the wall thickness t.
 pub(crate) fn boxed<S: Scalar>(b: &Course<S>, h: &Course<S>, t: &Course<S>) -> Measures<S> {
     let (width, height) = (inside(b, t, 2.0)?, inside(h, t, 2.0)?);
     let two = scaled(t, S::of(2.0));
@@ -101,8 +99,7 @@ pub(crate) fn boxed<S: Scalar>(b: &Course<S>, h: &Course<S>, t: &Course<S>) -> M
     Ok([area, by(&second_moment, 1.0, 12.0), shear])
 }
 
-/// An I-section with the width b, the height h, the flange thickness f and the web thickness w. It has the area A =
-/// 2bf + w(h − 2f), the second moment of area I = (b h³ − (b − w)(h − 2f)³)/12 and the web area w(h − 2f).
+/// Area, second moment and shear area of an I-section with the width b and the height h.
 pub(crate) fn i_shape<S: Scalar>(
     b: &Course<S>,
     h: &Course<S>,
@@ -130,15 +127,15 @@ pub(crate) fn filled<S: Scalar>(
     Ok([plus(&area, &corners), plus(&second_moment, &bent), shear])
 }
 
-/// Total area of four corner fillets of radius r, and their total second moment about the middle axis of the section.
-/// Each fillet is a square of side r minus a quarter disc. One side of the square lies on a face at the distance H from
-/// the axis, and the square extends from this face towards the axis. A fillet has the area (1 − π/4) r². Its first and
-/// second moments about the face are (5/6 − π/4) r³ and (1 − 5π/16) r⁴.
+/// Total area of four corner fillets and their second moment about the middle axis of the section. One side of each
+/// fillet lies on a face at the distance `face` from this axis.
 pub(crate) fn corners<S: Scalar>(
     face: &Course<S>,
     radius: &Course<S>,
 ) -> Result<[Course<S>; 2], &'static str> {
     let pi = pi::<S>().ok_or("π is out of range")?;
+    // A fillet is a square minus a quarter disc. Its area is (1 − π/4)r², and its first and second moments about the
+    // face are (5/6 − π/4)r³ and (1 − 5π/16)r⁴.
     let less_pi = |n: f64, d: f64, times: f64, of: f64| part::<S>(n, d) - pi * part(times, of);
     let square = times(radius, radius);
     let area = scaled(&square, S::of(4.0) * less_pi(1.0, 1.0, 1.0, 4.0));
@@ -149,9 +146,8 @@ pub(crate) fn corners<S: Scalar>(
     Ok([area, plus(&less(&steiner, &first), &own)])
 }
 
-/// A T-section with a flange b × f and a stem w × s, where s = h − f and h is the height of the section. A₁ and A₂ are
-/// the areas of flange and stem. Their centroids are h/2 apart, so the second moment of area is I = (b f³ + w s³)/12 +
-/// (h²/4)·A₁A₂/(A₁ + A₂).
+/// Area, second moment and shear area of a T-section with the width b and the height h. The shear area is that of the
+/// stem below the flange.
 pub(crate) fn t_shape<S: Scalar>(
     b: &Course<S>,
     h: &Course<S>,
@@ -164,6 +160,7 @@ pub(crate) fn t_shape<S: Scalar>(
     let area = plus(&plate, &leg);
     let own = by(&plus(&times(b, &cube(flange)), &times(web, &cube(&stem))), 1.0, 12.0);
     let [whole, _] = super::course::ends(&area);
+    // The centroids of flange and stem are h/2 apart.
     let apart = times(&times(&plate, &leg), &times(h, h));
     let steiner = scaled(&apart, S::one().div(S::of(4.0) * whole));
     Ok([area, plus(&own, &steiner), leg])

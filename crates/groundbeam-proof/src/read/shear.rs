@@ -33,9 +33,8 @@ impl<S: Scalar> Shear<S> {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// Reads from a table the shear stiffness of the beam, or its factors G and shear area, and Poisson's ratio.
-    /// `modulus` contains Young's modulus as this table gives it, and as the table of the whole beam gives it. `shape`
-    /// is the cross section that this table gives.
+    /// Reads the shear data of a table. `modulus` is Young's modulus of this table and that of the whole beam, and
+    /// `shape` is the cross section of this table.
     pub fn read(
         fields: &mut Fields,
         section: Section,

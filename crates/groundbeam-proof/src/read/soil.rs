@@ -1,9 +1,7 @@
 //! Reads `[foundation.soil]`: k and μ per length of beam from soil data, by the methods that do not need the solution.
 //!
-//! For layers on rock (Vlasov and Leontiev), the soil at the depth z settles by u φ(z), where u is the settlement of
-//! the surface. φ(0) = 1, and φ = 0 on the rock. E₀ is the constrained modulus and G the shear modulus of the soil.
-//! For a parameter r, let S(r) be the minimum of ∫(E₀φ′² + rGφ²) over φ. It has the derivative dS/dr = ∫Gφ². So μ = b
-//! dS/dr and k = b (S − r dS/dr) for a beam of width b.
+//! For layers on rock (Vlasov and Leontiev), μ = b dS/dr and k = b(S − r dS/dr) with the width b of the beam. S(r) is
+//! the least energy of [`least_energy`] for the parameter r.
 
 use super::error::{Read, Reason, fault, out_of_range, wrong};
 use super::fields::{
@@ -102,8 +100,8 @@ struct Layer<S> {
     thickness: S,
 }
 
-/// Computes k and μ of soil layers on rock by Vlasov's method from its parameter γ. The parameter r of [`least_energy`]
-/// is (γ/Σ h√(G/E₀))², with the thickness h, the shear modulus G and the constrained modulus E₀ of each layer.
+/// Computes k and μ of soil layers on rock from Vlasov's parameter γ. The parameter of [`least_energy`] is
+/// r = (γ/Σh√(G/E₀))², with the thickness h and the moduli G and E₀ of each layer.
 fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 2]> {
     table.only(&[LAYERS], &[])?;
     if table.table.get("layer").is_none() {
@@ -131,11 +129,8 @@ fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 
     Ok([spring, shear])
 }
 
-/// Computes the minimum S of ∫(E₀φ′² + rGφ²) over the settlement profiles φ of Vlasov's method, and dS/dr. φ is 1 at
-/// the surface of the soil and 0 on the rock. E₀ is the constrained modulus, G the shear modulus and r = `rate`. The
-/// layers are added from the rock upward. For a layer of thickness h, let q = h²G/E₀, e = E₀/h, c² = rq and T =
-/// tanh(c)/c. At the top of the layer on the rock, S = e/T. At the top of every other layer, S = e(S_b + ec²T)/(e +
-/// S_bT), where S_b is the value of S at the bottom of the layer.
+/// Computes the minimum S of ∫(E₀φ′² + rGφ²) and dS/dr for r = `rate`, with the constrained modulus E₀ and the shear
+/// modulus G. The settlement profile φ is 1 at the surface and 0 on the rock.
 fn least_energy<S: Scalar>(layers: &[Layer<S>], rate: S) -> [S; 2] {
     let mut below: Option<[S; 2]> = None;
     for layer in layers.iter().rev() {
@@ -143,6 +138,8 @@ fn least_energy<S: Scalar>(layers: &[Layer<S>], rate: S) -> [S; 2] {
         let q = layer.thickness.square() * layer.shear.div(layer.constrained);
         let [t, turn] = tanh_over(rate * q);
         let turn = turn * q;
+        // With e = E₀/h, c² = rq and T = tanh(c)/c, the layer on the rock has S = e/T. Another layer has
+        // S = e(S_b + ec²T)/(e + S_bT), with the value S_b of the layers below it.
         below = Some(match below {
             None => [stiffness.div(t), -(stiffness * turn).div(t.square())],
             Some([under, slope]) => {
@@ -220,10 +217,8 @@ mod tests {
         assert_eq!(logarithm(Wide::of(-1.0)), None);
     }
 
-    /// Compares k and μ per width with the closed form of Vallabhan and Das (1991) for one layer of thickness H, with
-    /// the constrained modulus E₀, the shear modulus G and Vlasov's parameter γ: k = E₀γ(sinh γ cosh γ + γ)/(2H
-    /// sinh²γ), μ = GH(sinh γ cosh γ − γ)/(2γ sinh²γ). A layer that is cut into thinner layers must have the k and μ of
-    /// the uncut layer.
+    /// Compares with the closed form of Vallabhan and Das (1991) for one layer. A layer that is cut into thinner layers
+    /// must have the same k and μ.
     #[test]
     fn layers_agree_with_the_closed_form_of_one_layer() {
         let layer = |thickness: f64| Layer { constrained: 3.0, shear: 1.2, thickness };

@@ -1,7 +1,6 @@
 //! Reads the TOML of model files into a tree of values with their positions. Numbers remain decimal text.
 //!
-//! The reader accepts tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans
-//! and comments. It refuses dates, infinities and NaN, because no model needs them. It also refuses duplicate keys.
+//! The reader refuses dates, infinities and NaN, because no model needs them. It also refuses duplicate keys.
 
 use super::error::{Fault, Read, Reason, fault};
 use super::text::Scanner;

@@ -1,8 +1,7 @@
 //! Units by dimension and exact factor, and numbers with their unit.
 //!
-//! The factor that converts a unit to N, m, rad and K is a product of powers of ten and of a few constants (inch,
-//! pound, standard gravity, …). The exponents are integers, so equal powers cancel exactly. A number times a power
-//! of ten remains a decimal number.
+//! The factor of a unit is a product of integer powers of ten and of a few constants, so equal powers cancel exactly. A
+//! number times a power of ten remains a decimal number.
 
 use super::number::Decimal;
 use crate::Scalar;
@@ -51,8 +50,8 @@ impl Dimension {
     }
 }
 
-/// The conversion factor of every unit is a product of integer powers of these numbers, of ten and of π/180. By
-/// definition 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and 1 kgf = 9.80665 N.
+/// Each conversion factor is a product of integer powers of these numbers, of ten and of π/180. The inch, the
+/// pound-force and the kilogram-force are exact by definition.
 const BASES: [&str; 7] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.8", "2"];
 /// Exponents of the numbers in `BASES`, followed by the exponent of π/180.
 pub(super) type Powers = [i32; 8];
@@ -82,8 +81,7 @@ impl Factor {
     }
 }
 
-/// The exact value of a quantity: the decimal number in the file times the factor of its unit. The power of ten in this
-/// factor is part of `number`, so 25 cm and 0.25 m compare as equal.
+/// The exact value of a quantity. `number` includes the power of ten of the unit, so 25 cm and 0.25 m compare as equal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Exact {
     number: Decimal,

@@ -110,8 +110,8 @@ impl Reader<'_> {
         if let Some(unit) = in_words {
             return Unit::ONE.times(unit, power);
         }
-        // A word such as `kNm` is the product of a unit of force and a unit of length, and an exponent applies to the
-        // length only. The symbol `k` for kip must not be the first part of such a word.
+        // A word such as `kNm` is a unit of force times a unit of length, and an exponent applies to the length only.
+        // The symbol `k` for kip must not begin such a word.
         word.char_indices().skip(1).find_map(|(i, _)| {
             let (force, length) = word.split_at_checked(i).filter(|(force, _)| *force != "k")?;
             let (force, length) = (symbol(force)?, symbol(length)?);

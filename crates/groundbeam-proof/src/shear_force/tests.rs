@@ -30,9 +30,8 @@ fn the_axial_force_stiffens_a_beam_with_shear_deformation() {
     }
 }
 
-/// `size_beside` bounds the absolute value |a + bt| of a linear function on the part of a piece within a given distance
-/// of one end, where t is the coordinate on the piece. If the distance is at least half the length of the piece, the
-/// bound holds on the whole piece.
+/// `size_beside` bounds |a + bt| within a distance of one end of a piece, or on the whole piece if the distance is at
+/// least half its length.
 #[test]
 fn a_line_is_bounded_within_a_distance_of_an_end() {
     let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";
@@ -65,9 +64,8 @@ fn a_line_is_bounded_within_a_distance_of_an_end() {
     });
 }
 
-/// A distributed load q acts on endless ground with k = 4 and μ = 1. The settlement is u = q/k + v with v″ = 4v.
-/// Under a beam with w″ = −2 the pressure in contact is ku − q − μw″ = 4v + 2. Within the distance d of an end of the
-/// piece, this pressure differs from its value at the end by at most 4d times the largest |v′|.
+/// On ground with k = 4 and μ = 1 under a load q, the settlement is u = q/k + v with v″ = 4v. The pressure 4v + 2 of a
+/// beam with w″ = −2 changes by at most 4d max|v′| within the distance d of an end.
 #[test]
 fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
     for rise in [1.0, -1.0] {
@@ -78,9 +76,8 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
         );
         let piece =
             json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [1, 0, -0.25]});
-        // Beyond both ends of the piece, the ground is not loaded, and its settlement u decays at the rate √(k/μ). This
-        // rate is 2, so u′ = 2u at the left end of the piece and u′ = −2u at its right end. On the piece, v = u − q/k
-        // is the sum of an even and an odd function of the distance y from the middle.
+        // Beyond the piece, the settlement u of the unloaded ground decays at the rate √(k/μ) = 2. On the piece,
+        // v = u − q/k is the sum of an even and an odd function of the distance y from the middle.
         let tangent = 1.0_f64.tanh();
         let even = -0.25 / (1.0 + tangent);
         let odd = -0.25 * rise / (1.0 + 1.0 / tangent);
@@ -104,12 +101,8 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
     }
 }
 
-/// The claimed deflection is w = 2 − x, or its mirror image. One half of the beam is in contact with the pressure
-/// p = 2 − x, and the other half is out of contact. Let ε_p be the error bound of p, η a bound of tensile pressures, and γ
-/// the relative change of p that balances the residual forces. On the half in contact, the bound of the pressure error
-/// is ε_p + γp + (1 + γ)η. On the other half, it is zero with a shear layer, and ε_p on Winkler ground. The exact edge
-/// may lie up to the distance θ outside the claimed contact, or up to the distance θ′ inside. The bound of the force
-/// error is then θ(p_o + ε_p) outside, with the bound p_o of `open_pressure_beside`, and θ′(1 + γ)p inside.
+/// One half of the beam is in contact with the pressure p. The errors of the loads are those of (15) in
+/// `docs/proof.md`: ε_p + γp + (1 + γ)η in contact, θ(p_o + ε_p) outside an edge, and θ′(1 + γ)p inside an edge.
 #[test]
 fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {
     for (mirrored, layer) in [(false, "mu = 1\n"), (true, "mu = 1\n"), (false, "")] {

@@ -21,8 +21,7 @@ type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
 
 /// Solves `count` models, or one model with `count` sets of parameters.
 ///
-/// Each array of `parameters` has one row for all models, or one row for each model. The result is a dictionary of
-/// arrays with one row for each model.
+/// Arrays of `parameters` have one row for each model, or one row for all. The results have one row for each model.
 #[pyfunction]
 pub fn solve_many<'py>(
     py: Python<'py>,

@@ -24,8 +24,8 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Reads a parameter with its values and checks it against the models. `shape` is the name of the Python class of
-    /// the values. The class states how the values of a row vary along the beam.
+    /// Reads a parameter and checks its values against the models. `shape` is the Python class of the values. This
+    /// class defines the variation of the values along the beam.
     pub fn read(
         name: &str,
         shape: Option<&str>,

@@ -1,7 +1,6 @@
 //! The content of the calculation report, used for HTML and PDF.
 //!
-//! It contains the input, the assumptions, the existence check, the results and the certificate. It uses the
-//! sentences of [`text`](crate::text) and the figures of [`svg`](crate::svg).
+//! The report uses the sentences of [`text`](crate::text) and the figures of [`svg`](crate::svg).
 
 mod content;
 mod equations;

@@ -63,8 +63,8 @@ fn ends_in_number(letters: &[char]) -> bool {
     length > 0 && !before.is_some_and(char::is_alphanumeric)
 }
 
-/// Typesets an exponent such as `e-13` at the start of `letters` as a superscript. Returns the superscript
-/// and the number of characters of the exponent. Returns `None` if a letter follows the exponent.
+/// Returns an exponent such as `e-13` at the start of `letters` as a superscript, and its length. Returns `None` if
+/// there is no exponent or a letter follows.
 fn power_of_ten(letters: &[char]) -> Option<(String, usize)> {
     let ['e', rest @ ..] = letters else { return None };
     let sign = usize::from(rest.first().is_some_and(|sign| ['-', MINUS].contains(sign)));

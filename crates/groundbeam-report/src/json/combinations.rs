@@ -19,9 +19,7 @@ use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Returns the document of all combinations. Each combination was solved or only checked for the existence of
-/// an equilibrium. The fields are listed at the positions `stations`; `None` selects the default positions of
-/// each result and of the envelope.
+/// Returns the document of all combinations, solved or only checked. `None` for `stations` selects default positions.
 pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Context) -> String {
     let envelope = answers.envelope();
     let listed = match stations {

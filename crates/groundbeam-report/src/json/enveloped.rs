@@ -31,9 +31,8 @@ struct OfState<G, E> {
 }
 
 impl<G, E> Enveloped<G, E> {
-    /// Computes the envelopes. `of(Some(state))` returns the envelope and the extremes over the results of
-    /// this limit state. `of(None)` returns the envelope and the extremes over all results. Without a solution
-    /// among these results, `of` returns `None`.
+    /// Computes the envelopes. `of` returns the envelope and the extremes over the results of one limit state, or of
+    /// all results for `None`. Without a solution, `of` returns `None`.
     pub fn new(
         states: LimitStates,
         of: impl Fn(Option<LimitState>) -> Option<(Along<Lines<G>>, ByName<E>)>,

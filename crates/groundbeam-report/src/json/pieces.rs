@@ -29,8 +29,8 @@ pub(super) struct Claimed {
     proof: Option<Proof>,
 }
 
-/// Polynomials of the fields between two positions. Their variable is the distance from the middle between the
-/// positions, divided by `half`, which is half the distance between the positions.
+/// Polynomials of the fields between two positions. The variable is the distance from the middle, divided by half the
+/// distance between the positions.
 #[derive(Serialize)]
 struct Stretch {
     x: [f64; 2],

@@ -10,8 +10,7 @@ use groundbeam_file::MovingTrain;
 use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages, Uplift};
 use serde::Serialize;
 
-/// Returns the document of all passages, with the envelopes at the sections `stations`; `None` selects the
-/// default sections. If there is only one passage, returns the document of this passage.
+/// Returns the document of all passages, or of the only passage. `None` for `stations` selects the default sections.
 pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
     if let [passage] = passages.all[..] {
         let head = Head::new(passage.overall().name(), context);

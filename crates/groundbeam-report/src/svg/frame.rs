@@ -43,9 +43,8 @@ pub(super) struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// Returns the frame for a model. The ground is drawn beyond each end of the beam over 5 % to 15 % of the
-    /// beam length, depending on the decay length of the ground displacement. Objects outside the beam increase
-    /// the drawn length to at most 60 % of the beam length.
+    /// Returns the frame for a model. The ground is drawn over 5 % to 15 % of the beam length beyond each end. Objects
+    /// outside the beam increase this to at most 60 %.
     pub fn of(model: &Model) -> Self {
         let length = model.beam.length;
         let reach = [0.0, length * (1.0 - f64::EPSILON)].map(|x| {
@@ -98,8 +97,8 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Returns the upper side of the beam from left to right, as positions and drawn depths. The drawn depths
-    /// are relative to the drawn depth of a uniform beam. The positions include `nodes`.
+    /// Returns positions on the upper side of the beam, which include `nodes`, and drawn depths relative to that of a
+    /// uniform beam.
     pub fn upper_side(&self, nodes: &[f64]) -> Vec<(f64, f64)> {
         let mut places = nodes.to_vec();
         for &Depth { from, to, depth } in self.depths {

@@ -30,10 +30,8 @@ pub(super) fn margins(model: &Model, frame: &Frame) -> [f64; 2] {
     })
 }
 
-/// Draws the ground below its surface, and the lines at which the ground ends. Outside the beam, the ground is
-/// drawn darker where it is stiffer than under the adjacent end of the beam, and paler where it is softer.
-///
-/// `line` is the ground's surface on the page, from left to right.
+/// Draws the ground below its surface `line` (on the page, from left to right), and its ends. Outside the beam,
+/// segments are darker if they are stiffer than under the adjacent end of the beam, and paler if they are softer.
 pub(super) fn draw(
     canvas: &mut Canvas,
     model: &Model,
@@ -157,8 +155,8 @@ pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
 
 /// The label of a load.
 struct Word {
-    /// Point on the page beside which the label is placed. For a load outside the drawn ground, the first
-    /// number is the position of the load in the model, and the second number has no meaning.
+    /// Point on the page beside which the label is placed. For a load outside the drawn ground, the first number is its
+    /// position in the model.
     at: [f64; 2],
     words: String,
     /// Whether the load lies within the drawn ground.

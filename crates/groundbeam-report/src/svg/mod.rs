@@ -1,8 +1,7 @@
 //! Draws the picture of a solution: the deflected beam on the ground, pressure, moment and shear force.
 //!
-//! Equal solutions give identical files. The picture has a white background and needs no style sheet and no
-//! script. The widths of the labels are those of the font Inter. A [PNG](Picture::png) contains the labels as
-//! outlines.
+//! Equal solutions give identical files. The files need no style sheet and no script. The widths of labels are those of
+//! the font Inter. A [PNG](Picture::png) contains the labels as outlines.
 
 mod axis;
 mod canvas;

@@ -19,12 +19,11 @@ const RISE: f64 = 46.0;
 /// Margin above the panel.
 const TOP: f64 = 8.0;
 
-/// Draws the beam as it tips about an end or a hinge, or rises as a whole. Loads move with the beam and stay
-/// vertical.
+/// Draws the beam as it tips about an end or a hinge, or rises as a whole. If an equilibrium exists, the beam is drawn
+/// before deformation.
 ///
-/// The moving part is an SVG group of the class `moves`. If the beam has no hinges, the attribute `data-still`
-/// of this group is the transform that returns the beam to the ground. For a model with an equilibrium, the
-/// beam is drawn before deformation.
+/// The SVG group of class `moves` contains the beam with its loads. Without hinges, its `data-still` is the transform
+/// that returns the beam to the ground.
 pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f64) -> View {
     let metrics = Metrics::new();
     let frame = Frame::of(model).on_page(sensible(width)).with_depths(context.depths);

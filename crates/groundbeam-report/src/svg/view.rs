@@ -89,8 +89,8 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
 
-/// Handles of the loads, hinges and supports of a model. `underside` returns the y coordinate of the beam's
-/// underside in the picture, and `surface` returns the y coordinate of the ground's surface.
+/// Handles of the loads, hinges and supports. `underside` and `surface` return y coordinates of the beam's underside
+/// and of the ground's surface.
 pub(super) fn handles(
     model: &Model,
     frame: &Frame,

@@ -4,8 +4,8 @@ use super::sheet::Sheet;
 use crate::number::order;
 use groundbeam::{Certificate, Verdict};
 
-/// Adds a row with the energy gap of the certificate, an estimate of the error in energy. For a local
-/// equilibrium, adds a row which says that the energy gap does not cover other equilibria.
+/// Adds a row with the energy gap, an estimate of the error in energy. For a local equilibrium, a second row states
+/// that other equilibria may exist.
 pub(crate) fn rows(sheet: &mut Sheet, certificate: &Certificate, verdict: Verdict) {
     let words = "recomputed from model and result by independent code";
     sheet.row("Certificate", words);

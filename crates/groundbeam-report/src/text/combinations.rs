@@ -300,9 +300,8 @@ fn envelope(
     end_forces(sheet, solved, units);
 }
 
-/// Adds the smallest and the largest value of each field over all combinations, each with its error bound and
-/// the number of the governing combination. The position of an extreme has an error bound if the combination is
-/// proven to govern.
+/// Adds the extremes of each field over all combinations, with error bounds and governing combinations. A position has
+/// a bound only if the combination is proven to govern.
 pub(crate) fn bounded_envelope(
     sheet: &mut Sheet,
     envelope: &Envelope,

@@ -142,8 +142,8 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
     }
 }
 
-/// Adds a table of the extremes with their positions on the beam and the positions of the first axle. If there
-/// are several passages, the table also contains the numbers of the passages.
+/// Adds a table of the extremes with their positions, the positions of the first axle and, for several passages, the
+/// numbers of the passages.
 pub(crate) fn envelope(sheet: &mut Sheet, heading: &str, all: &[Extremes], units: Units) {
     let numbers = all.iter().flat_map(|of| of.ends).filter_map(|end| end.number);
     let digits = numbers.max().map(|most| most.to_string().len());

@@ -7,8 +7,8 @@ use groundbeam::{Error, Model, exists};
 /// Number of bisection steps, one for each bit of the mantissa of a double.
 const HALVINGS: usize = 52;
 
-/// Returns the ranges of first-axle positions at which the beam has no equilibrium, from left to right. `found`
-/// states for each examined position of the first axle whether an equilibrium exists.
+/// Returns the ranges of first-axle positions without equilibrium. `found` lists positions from left to right, each
+/// with the existence of an equilibrium.
 pub(super) fn without_equilibrium(
     model: &Model,
     train: &Train,
@@ -34,8 +34,8 @@ pub(super) fn without_equilibrium(
 /// Number of equal steps between two neighbouring [`first_positions`] for the existence checks.
 const PARTS: usize = 8;
 
-/// Returns the ranges of first-axle positions at which the beam has no equilibrium. Existence is checked,
-/// without a solve, at the [`first_positions`] of the train and at equidistant positions between them.
+/// Returns the ranges of first-axle positions without equilibrium. Checks the [`first_positions`] and equidistant
+/// positions between them.
 ///
 /// # Errors
 ///

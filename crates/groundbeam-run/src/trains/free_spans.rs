@@ -22,9 +22,8 @@ pub struct FreeSpans {
 }
 
 impl Passage<'_> {
-    /// The longest free span, and the free span with the largest clearance, over all solved positions. Lifted
-    /// ends of the beam are included. The first of several equal spans is taken. `None` if the beam touches the
-    /// ground along its whole length at all solved positions.
+    /// The longest free span, and the free span with the largest clearance, over all solved positions. Lifted ends
+    /// count. The first of equal spans is taken. `None` if the beam never lifts off.
     pub fn free_spans(&self) -> Option<FreeSpans> {
         let mut found: Option<FreeSpans> = None;
         for (first_axle, solution) in self.solved() {

@@ -15,8 +15,7 @@ fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     }))
 }
 
-/// Envelope of the results over all train positions solved so far: the smallest and the largest value of each field on
-/// the left and on the right side of every examined position of the beam.
+/// Envelope over all train positions solved so far: extremes of each field on both sides of every examined position.
 pub(super) struct Table {
     bounds: Vec<[ByField<f64>; 2]>,
     /// Smallest and largest value of each field over the whole beam.
@@ -71,11 +70,8 @@ pub(super) fn passing<S: Borrow<Section>>(
     Some((at, beside_axle([left, right], axle, t)?))
 }
 
-/// Error of the envelope for each field in an interval between two positions of the train, relative to the largest
-/// absolute value of the field. The error is the amount by which the solution at the middle position lies outside
-/// the envelope of the positions solved before. The parabola through the values at both ends and the middle is
-/// compared with this envelope too. Beside an axle, the error is the difference between the solution and the values
-/// interpolated between both ends.
+/// Error of the envelope of each field between two train positions, relative to the largest absolute value of the
+/// field. *Which positions are solved* in docs/moving-loads.md defines it.
 pub(super) fn sticks_out(
     middle: &Position,
     ends: [&Position; 2],

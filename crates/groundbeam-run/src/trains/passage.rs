@@ -30,11 +30,8 @@ pub struct Located {
 pub struct Reach {
     /// Requested error of the envelope of each field, relative to the largest value of the field.
     pub asked: f64,
-    /// Achieved error of the envelope of each field, relative to the largest value of the field, in the order
-    /// of [`Field::ALL`]. Every bisection of an interval of train positions adds a solution at the middle
-    /// position. The error of the bisection is the amount by which this solution lies outside the envelope of
-    /// the earlier solutions. The achieved error is the largest error of the last bisections of all intervals.
-    /// If a field jumps, such as the pressure at a moving contact edge, the error remains as large as the jump.
+    /// Achieved error of the envelope of each field, relative to its largest value, in the order of [`Field::ALL`]. It
+    /// is the largest error of the last bisections. If a field jumps, its error remains as large as the jump.
     pub reached: ByField<f64>,
 }
 
@@ -50,8 +47,7 @@ impl Reach {
     }
 }
 
-/// Largest gap between beam and ground during the passage of a train, in each of three regions: ahead of the first axle,
-/// between the axles, and behind the last axle. A gap is `None` if the beam does not lift off in its region.
+/// Largest gaps between beam and ground during the passage of a train; `None` where the beam does not lift off.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
@@ -182,12 +178,11 @@ impl<'a> Passage<'a> {
         Field::of(&self.model().beam)
     }
 
-    /// The smallest and the largest value of every field at the position `x` of the beam, in the order of
-    /// [`Field::ALL`]; `None` if no train position has a solution.
+    /// Smallest and largest value of every field at the position `x`, in the order of [`Field::ALL`]; `None` if no
+    /// train position has a solution.
     ///
-    /// The extremes are taken over all solved train positions, and over the train positions at which an axle passes
-    /// `x`. For a passing axle, the field values on its left and right side are interpolated between the
-    /// neighbouring solved train positions.
+    /// The values beside each axle that passes `x` are included, interpolated between the neighbouring solved
+    /// positions.
     pub fn at(&self, x: f64) -> Option<ByField<[Located; 2]>> {
         let mut bounds: Option<ByField<[Located; 2]>> = None;
         let mut note = |first_axle: f64, values: ByField<f64>| {
@@ -261,8 +256,8 @@ impl<'a> Passage<'a> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Positions along the beam at which the envelope is evaluated: the ends of `even` equal steps, the positions of
-    /// corners and jumps of the fields, and the positions of the extremes of the fields.
+    /// Positions on the beam for the envelope: ends of `even` equal steps, corners and jumps of the fields, and
+    /// extremes.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.model().beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();

@@ -54,9 +54,8 @@ pub(crate) struct Under {
 }
 
 impl Under {
-    /// Computes the jumps of the fields due to an axle at the position `x`. Without shear deformation, only the shear
-    /// force jumps, by the axle load. With shear deformation, the slope jumps too, and the shear force may jump by
-    /// less than the axle load, because the ground may carry a part of the axle load.
+    /// Computes the jumps of the fields due to an axle at `x`. Without shear deformation, only the shear force jumps,
+    /// by the axle load. With shear deformation, the slope jumps too, and the ground may carry a part of the axle load.
     pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
         let mut jump = [0.0; Field::ALL.len()];
         let own = force(train, axle);
@@ -94,8 +93,8 @@ impl Under {
 /// Number of equal steps into which the range of train positions is divided in the first round.
 pub(crate) const EVEN_STEPS: usize = 32;
 
-/// Initial positions of the train's first axle. They are the ends of equal steps, and the positions at which an axle
-/// or an end of a distributed load of the train is at one of the [`Model::marks`] or just off the beam.
+/// Initial positions of the first axle: equal steps, and positions with an axle or an end of a distributed load at one
+/// of the [`Model::marks`] or just off the beam.
 pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
     let l = model.beam.length;
     let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);

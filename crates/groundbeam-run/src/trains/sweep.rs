@@ -30,9 +30,8 @@ const MOST: usize = 20_000;
 /// An interval between two neighbouring positions of the train.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// Error of the envelope for each field, relative to the largest absolute value of the field. The error was
-    /// measured when a longer interval was bisected into this interval and its neighbour. The error is infinite for
-    /// the intervals of the first round.
+    /// Error of the envelope for each field, relative to its largest absolute value, from the bisection that formed
+    /// this interval. It is infinite in the first round.
     error: ByField<f64>,
     open: bool,
 }
@@ -40,13 +39,10 @@ struct Between {
 /// Default error tolerance of an envelope, relative to the largest absolute value of each field.
 pub(crate) const ERROR: f64 = 1e-3;
 
-/// A sweep of a train over a beam under one combination of loads, in rounds. `wanted` contains the positions of the
-/// first axle that are solved in the next round, from left to right. The sweep ends when `wanted` is empty.
+/// A sweep of a train over a beam under one combination, in rounds. The next round solves the first-axle positions
+/// `wanted`, from left to right. The sweep ends when `wanted` is empty.
 ///
-/// At a section of the beam a field changes smoothly while the train moves, except when an axle passes.
-/// Between two solved positions the fields beside each axle are therefore interpolated. Elsewhere the envelope
-/// contains only the values at the solved positions. Each interval between two solved positions is bisected by
-/// solving its middle. Both halves are bisected again if the error of the envelope exceeds the tolerance.
+/// See *Which positions are solved* in docs/moving-loads.md.
 pub(crate) struct Sweep {
     combination: Arc<Combination>,
     moving: Arc<MovingTrain>,
@@ -80,9 +76,8 @@ impl Sweep {
         &self.moving.train
     }
 
-    /// Solves all positions of the sweep. Each solve starts from the solution at a neighbouring position of an
-    /// earlier round. Each answer is stored at its index. The result therefore does not depend on the number of
-    /// threads.
+    /// Solves all positions of the sweep. Each solve starts from a solution of an earlier round, so the result does not
+    /// depend on the number of threads.
     pub fn run<H: Host>(
         mut self,
         options: &Options,
@@ -201,8 +196,7 @@ impl Sweep {
             let shortest = if solved == 2 { SHORTEST } else { SHORTEST_AT_EDGE };
             if length <= shortest * l || solved == 0 {
                 between.open = false;
-                // An interval of train positions that is excluded in the first round has no error estimate, and its
-                // error counts as zero. An example is the short interval in which an axle arrives on the beam.
+                // An interval that is excluded in the first round has no error estimate. Its error counts as zero.
                 if between.error.contains(&f64::INFINITY) {
                     between.error = [0.0; Field::ALL.len()];
                 }

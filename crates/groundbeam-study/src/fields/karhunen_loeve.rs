@@ -1,8 +1,7 @@
 //! Computes a random field from the eigenvectors of its covariance: z(x) = Σ √λᵢ φᵢ(x) ξᵢ.
 //!
-//! R is the covariance, λᵢ and φᵢ are its eigenvalues and eigenfunctions, and ξᵢ are independent standard normal
-//! numbers. The eigenvalue problem ∫R(x, y) φ(y) dy = λ φ(x) is solved at the field's own points with a
-//! quadrature rule (Nyström's method). With all terms, the covariance of the field at the points is exactly R.
+//! λᵢ and φᵢ are the eigenvalues and eigenfunctions of the covariance, and ξᵢ independent standard normal numbers.
+//! Nyström's method solves the eigenvalue problem at the field's points. With all terms, the covariance there is exact.
 
 use crate::symmetric::{Eigen, Symmetric};
 use groundbeam_file::study::Share;
@@ -82,9 +81,8 @@ impl Expansion {
     }
 }
 
-/// Returns the sign, 1 or −1, by which an eigenvector is multiplied so that its entry of largest magnitude becomes
-/// positive. An antisymmetric eigenvector has two entries of largest magnitude. Magnitudes with a relative
-/// difference below `ROUNDING` count as equal, and the first entry of largest magnitude becomes positive.
+/// Returns the sign, 1 or −1, that makes the first entry of largest magnitude positive. Magnitudes count as equal up to
+/// `ROUNDING`, because an antisymmetric eigenvector has two largest entries.
 fn sign(vector: &[f64]) -> f64 {
     let largest = vector.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let first = vector.iter().find(|entry| entry.abs() >= (1.0 - ROUNDING) * largest);

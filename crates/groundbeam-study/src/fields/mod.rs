@@ -101,9 +101,8 @@ mod tests {
         RandomField { of: Vec::new(), correlation, length, points: 24, course, method, rho: 0.0 }
     }
 
-    /// Tests that the fields have the required covariance. If the entries of ξ are independent standard normal
-    /// numbers, the field z = A ξ has the covariance A Aᵀ. Column i of A is the field for ξᵢ = 1 with all other
-    /// entries 0. The covariance is exact if the expansion has all terms.
+    /// Tests that the fields have the required covariance. It is A Aᵀ, where column i of A is the field for ξᵢ = 1 and
+    /// zeros otherwise.
     #[test]
     fn random_fields_have_the_required_covariance() {
         for which in [
@@ -142,16 +141,14 @@ mod tests {
         }
     }
 
-    /// Tests the eigenvalues λ of the exponential correlation on a stretch of length 2a. Their closed form is λ =
-    /// 2c/(ω² + c²). Here c is 1/(correlation length), and ω solves c = ω tan ωa or ω = −c tan ωa (Ghanem and
-    /// Spanos, *Stochastic finite elements*, equations (2.39) to (2.47)).
+    /// Tests the eigenvalues of the exponential correlation on a stretch of length 2a, with the correlation length 1/c:
+    /// Ghanem and Spanos, *Stochastic finite elements*, equations (2.39) to (2.47).
     #[test]
     fn eigenvalues_of_the_exponential_correlation_have_their_closed_form() {
         let (a, c) = (1.0_f64, 0.8_f64);
         let root = |even: bool, k: f64| {
-            // Bisection finds ωa, where ω is the frequency of an eigenfunction of the covariance on the
-            // interval from −a to a. For an integer k, ωa lies in (kπ, kπ + π/2) for even eigenfunctions and in
-            // (kπ − π/2, kπ) for odd ones.
+            // Finds ωa for the frequency ω by bisection: in (kπ, kπ + π/2) for even eigenfunctions, in (kπ − π/2, kπ)
+            // for odd ones.
             let f = |t: f64| match even {
                 true => c * a * t.cos() - t * t.sin(),
                 false => t * t.cos() + c * a * t.sin(),

@@ -9,9 +9,8 @@ const ROUNDS: u32 = 6;
 /// bits of a short index, so short indices need more rounds.
 const MORE_ROUNDS: u32 = 24;
 
-/// Computes a coordinate of sample `index` of `count` samples. The coordinate lies in one of `count` equal
-/// intervals of (0, 1), at the fraction `uniform` of the length of this interval. Each sample has a different
-/// interval.
+/// Computes a coordinate of a sample: the position `uniform` in one of `count` equal intervals of (0, 1). Each sample
+/// has a different interval.
 pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
     let part = permuted(index, count, key);
     ((part as f64 + uniform) / count as f64).min(1.0 - f64::EPSILON)
@@ -54,8 +53,8 @@ mod tests {
         }
     }
 
-    /// Tests that the permutations for different keys map an index to every possible image equally often. The
-    /// tolerance is five standard deviations of the χ² distribution with 4 degrees of freedom.
+    /// Tests that every image is equally probable over all keys. The tolerance is five standard deviations of χ² with 4
+    /// degrees of freedom.
     #[test]
     fn every_image_of_a_permutation_is_equally_probable() {
         for index in 0..5 {

@@ -103,9 +103,8 @@ mod tests {
         }
     }
 
-    /// The first two coordinates of the first 2ᵐ Sobol points are a (0, m, 2)-net in base 2. This means: if 2ʲ
-    /// equal columns and 2ᵐ⁻ʲ equal rows divide the unit square into boxes, each box contains one point, for
-    /// every j from 0 to m. Owen's scrambling preserves this property.
+    /// Tests that scrambling preserves the net property: for every j from 0 to 10, each box of 2ʲ equal columns and
+    /// 2¹⁰⁻ʲ equal rows of the unit square contains one point.
     #[test]
     fn scrambled_sobol_points_are_still_a_net() {
         let points = all(plan(Sampling::Sobol, 1024, 1), 2);
@@ -134,9 +133,8 @@ mod tests {
         }
     }
 
-    /// Tests the mean of exp(Σ (uᵢ − ½)) over the unit cube of 6 dimensions with the coordinates uᵢ. Its exact
-    /// value is (2 sinh ½)⁶. The scatter of the replicates estimates the error of the mean, and evenly spread
-    /// points reduce this error.
+    /// Tests the mean of exp(Σ (uᵢ − ½)) over the unit cube of 6 dimensions. The scatter of the replicates estimates
+    /// the error of this mean. Evenly spread points reduce the error.
     #[test]
     fn the_scatter_of_replicates_estimates_the_error_of_an_integral() {
         let exact = (2.0 * 0.5_f64.sinh()).powi(6);

@@ -52,8 +52,8 @@ impl Sobol {
         Sobol { dimensions: dimensions.min(DIRECTIONS.len()) }
     }
 
-    /// Computes a coordinate of point `index`. Its first 32 binary digits are those of the Sobol point,
-    /// scrambled with the key. The random number `uniform` between 0 and 1 supplies the further digits.
+    /// Computes a coordinate of point `index`: 32 scrambled binary digits of the Sobol point, then the random digits of
+    /// `uniform`.
     pub fn coordinate(&self, dimension: usize, index: u64, key: u64, uniform: f64) -> f64 {
         if dimension >= self.dimensions {
             return uniform;

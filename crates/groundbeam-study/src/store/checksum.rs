@@ -1,9 +1,7 @@
 //! Computes and verifies the SHA-256 checksums of a results file, which are stored in the metadata of the file.
 //!
-//! A block contains one group of rows. The last block, the tail, contains the page index, the metadata and the
-//! footer. The metadata contain the end and the digest of each block and finally the digest of the tail. The
-//! digest of the tail is computed with zeros in place of its digits. The checksums cover every byte, and each block
-//! is verified before it is decoded. Other programs can read the file as ordinary Parquet.
+//! A block is a group of rows, or the tail with page index, metadata and footer. Each block is verified before it is
+//! decoded. *Checksums* in docs/studies.md defines the format.
 
 use super::StoreError;
 use parquet::file::metadata::KeyValue;
@@ -175,9 +173,9 @@ fn metadata_of(mut file: &File, length: u64) -> io::Result<Option<Vec<u8>>> {
     Ok(Some(all))
 }
 
-/// Byte range of the checksums in the metadata. In the compact protocol of Thrift, the key is followed by the byte
-/// 0x18, the length in groups of seven bits (lowest group first), and the bytes of the checksums. The last
-/// occurrence of the key is used, because the texts of model and study, which may contain any bytes, precede it.
+/// Byte range of the checksums in the metadata, after 0x18 and their length in groups of seven bits, lowest first
+/// (Thrift's compact protocol). The last key counts, because the texts of model and study before it may contain any
+/// bytes.
 fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
     let key = metadata.windows(KEY.len()).rposition(|bytes| bytes == KEY.as_bytes())?;
     let mut place = key + KEY.len();

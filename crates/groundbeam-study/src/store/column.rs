@@ -1,8 +1,7 @@
 //! Converts columns to the representation of Parquet, which consists of the existing values and of levels.
 //!
-//! Each entry of a column, with or without a value, has two levels. The definition level is 0 if the row has no
-//! value or list, and has its maximum if the entry has a value. The repetition level is 0 for the first entry of a
-//! row and 1 for every further entry of the list in this row (Melnik and others, *Dremel*, PVLDB 3 (2010), section
+//! The definition level of an entry is 0 without a value or list, and has its maximum with a value. The repetition
+//! level is 0 for the first entry of a row and 1 for the others (Melnik and others, *Dremel*, PVLDB 3 (2010), section
 //! 4).
 
 use parquet::basic::{LogicalType, Repetition, Type as Physical};

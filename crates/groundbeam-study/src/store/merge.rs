@@ -19,13 +19,12 @@ pub struct Merged {
     pub files: usize,
 }
 
-/// Merges the shards of a study. The merged file is bitwise equal to the file of one machine that runs the whole
-/// study.
+/// Merges the shards of a study. The merged file is bitwise equal to the file of a run on one machine.
 ///
 /// # Errors
 ///
-/// Fails if a file cannot be read or written, or if the files belong to different studies, overlap or lack
-/// samples. Returns [`StoreError::Stopped`] if `watch` stops the merge.
+/// Fails if a file cannot be read or written, or if the files belong to different studies, overlap or lack samples.
+/// Returns [`StoreError::Stopped`] if `watch` stops the merge.
 pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged, StoreError> {
     let mut shards: Vec<(Range<u64>, &Path)> = Vec::new();
     let mut known: Option<(Head, TypePtr, &Path)> = None;

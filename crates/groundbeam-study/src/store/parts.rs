@@ -1,7 +1,6 @@
 //! Stores the parts of a running study in a folder beside the final file.
 //!
-//! The name of a part contains the range of its samples. A process that writes parts locks the folder. The lock
-//! ends with the process.
+//! The name of a part contains the range of its samples. A process that writes parts locks the folder until it ends.
 
 use super::StoreError;
 use super::column::Column;

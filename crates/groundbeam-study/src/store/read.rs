@@ -139,8 +139,8 @@ impl Results {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is damaged, or is not a file of results; [`StoreError::Stopped`] if `watch` stops
-/// the work.
+/// Fails if the file cannot be read, is damaged, or contains no results. Returns [`StoreError::Stopped`] if `watch`
+/// stops the work.
 pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
     let results = Results::open(path)?;
     results.verify(&mut counted(results.rows(), watch))?;

@@ -59,8 +59,7 @@ impl Head {
     }
 }
 
-/// Digests of the files that a model names, in order; `None` if the model names no file. The text of the model
-/// contains the names of the files. The locations of the files are not included.
+/// Digests of the texts of the files that a model names, in order; `None` if the model names no file.
 fn files_of(document: &Document) -> Option<String> {
     let digests = document.files.iter().map(|file| hex(Sha256::new_with_prefix(&file.text)));
     let digests: Vec<String> = digests.collect();

@@ -1,7 +1,6 @@
 //! Writes files of results, and compresses rows in groups of equal size.
 //!
-//! A file contains checksums of all its bytes. It gets its name only after it is complete and on the disk
-//! ([`Output`]).
+//! A file gets its name only after it is complete and on the disk ([`Output`]).
 
 use super::StoreError;
 use super::checksum::Sealed;

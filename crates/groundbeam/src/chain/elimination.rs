@@ -1,17 +1,7 @@
 //! Solves the linear system: eliminates the unknowns of beam and ground from both ends of the beam to a node between them.
 //!
-//! The unknowns of a node are the deflection w and the rotation θ of the beam and, where beam and ground are not in
-//! contact, the settlement u of the ground surface. A sweep replaces all cells behind the present node by one stiffness
-//! matrix and one force vector at this node. An element of length h has the deformations d₁ = w_right − w_left − h θ_left
-//! and d₂ = θ_right − θ_left. The sweep eliminates either w of the passed node or d₁, whichever has the larger
-//! stiffness, and likewise either θ or d₂. So no stiffness is a small difference of large numbers. Each element is
-//! crossed once in the sweep and once in back-substitution, so the cost is linear in the number of elements.
-//!
-//! In a narrow gap and near the edge of a wide gap, a short stretch of ground out of contact couples the ground
-//! surface to the beam. The stiffness of this stretch is much larger than that of the supports. There the third
-//! unknown of a node is u − ψ instead of u, where ψ is the deflection of the beam minus the gap. The differences of
-//! u − ψ between neighbouring nodes do not contain the common settlement of beam and ground, and the large
-//! stiffness is not added to that of the supports.
+//! The unknowns of a node are the deflection and the rotation of the beam and, out of contact, an unknown of the ground
+//! surface. No stiffness is a small difference of large numbers. See section 6 of `docs/methods.md`.
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{add_open_ground, counted};
@@ -36,15 +26,14 @@ struct BackSubstitution {
     /// `gain` times the three unknowns of the right node.
     gain: [[f64; 3]; 3],
     constant: [f64; 3],
-    /// For the deflection and for the rotation: whether its value at the left node is eliminated. Otherwise the
-    /// relative displacement or the relative rotation of the two ends of the element is eliminated.
+    /// For the deflection and for the rotation: whether the value at the left node is eliminated instead of the
+    /// deformation of the element.
     by_left: [bool; 2],
     /// Whether the eliminated unknown of the ground surface is the surface unknown of the right node minus that
     /// of the left node. Otherwise it is the surface unknown of the left node.
     rise: bool,
-    /// Coefficients a, b and c of the surface settlement c − a w − b θ at the left node of the element, where w is the
-    /// deflection and θ the rotation of this node. They are used if ground out of contact ends at this node, so that
-    /// the surface settlement is an unknown only to the left of the node.
+    /// Coefficients a, b and c of the surface unknown c − a w − b θ at a left node with deflection w and rotation θ,
+    /// where ground out of contact ends.
     ended: [f64; 3],
     /// Back-substitution across the hinge at the left node.
     turned: Option<HingeRotation>,
@@ -159,9 +148,8 @@ fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> 
     Ok(gain)
 }
 
-/// Returns the four unknowns of an element of length `h` as linear combinations of the deflection and the rotation
-/// of the right node and the two eliminated beam unknowns. `by_left` has the meaning of
-/// [`BackSubstitution::by_left`].
+/// Returns the matrix that computes the unknowns of an element from the deflection and rotation of the right node and
+/// the two eliminated unknowns (see [`BackSubstitution::by_left`]).
 fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if basis == Basis::Ends {
         return [
@@ -179,14 +167,12 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
-/// `ORDER[i]` is the new position of unknown i when the three unknowns of the right node are moved to the front. The
-/// original order is: deflection and rotation of the right node, the two eliminated beam unknowns, and the surface
-/// unknowns of the left and of the right node.
+/// New positions of the unknowns, those of the right node first. Old order: deflection and rotation of the right node,
+/// two eliminated beam unknowns, surface unknowns of the left and the right node.
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
-/// Transforms a row of coefficients with the matrix `c` of [`transform`], and sorts it by [`ORDER`]. `row` contains the
-/// coefficients of the four unknowns of the element and of the ground's surface unknowns at the left and the right
-/// node.
+/// Transforms the coefficients of four element and two surface unknowns by the matrix `c` of [`transform`], and sorts
+/// them by [`ORDER`].
 fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
     let mut ordered = [0.0; 6];
     for j in 0..4 {
@@ -204,11 +190,8 @@ fn cross(
     state: &CondensedStiffness,
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
-    // `k` is the stiffness of the element and of the cells already condensed. It refers to the four unknowns of
-    // the element, and to the surface unknowns of the left and of the right node. A short stretch of ground out
-    // of contact connects the two surface unknowns by a spring that is much stiffer than the ground under them.
-    // Then the difference of the two surface unknowns replaces the left one, so that the rounding error of the
-    // stiff spring does not mask the support by the ground.
+    // If open ground is stiffer than the ground behind it, the difference of the surface unknowns replaces the left
+    // one. Rounding errors of the large stiffness then do not mask the small one.
     back.rise = open
         .is_some_and(|open| open.ties == [Tie::Surface; 2] && open.two_port.series > state.s[U][U]);
     let surface_left =
@@ -218,6 +201,7 @@ fn cross(
         counted(surface_left, node, beam[0]),
         counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, beam[1]),
     ];
+    // Stiffness and load of the element and of all cells behind it, for the element unknowns and the surface unknowns.
     let mut k = [[0.0; 6]; 6];
     let mut q = [0.0; 6];
     for i in 0..4 {
@@ -246,9 +230,7 @@ fn cross(
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // Transforms the stiffness matrix and the load vector to new unknowns, sorted by `ORDER`. The new unknowns are the
-    // deflection and the rotation of the right node, the two eliminated beam unknowns, and the two unknowns of the
-    // ground surface.
+    // Transforms the stiffness matrix and the load vector to the new unknowns, sorted by `ORDER`.
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
@@ -275,9 +257,7 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // If ground out of contact is connected to the beam at the right node, this ground restrains the deflection of
-    // the node but not the rotation. The stiffness of this ground is added only after the deflections and rotations
-    // of both nodes have been transformed. Otherwise, rounding errors of the transformation would restrain the
+    // Open ground is added after the transformation. Otherwise, rounding errors of its stiffness would restrain the
     // rotation of a free beam.
     if let Some(open) = open {
         add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
@@ -286,8 +266,7 @@ fn cross(
     condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates the last three of six unknowns. `free` states for each of these three whether its value is free. If the
-/// first of the three is not free, it equals `settlement`. If the second or the third is not free, it is zero.
+/// Eliminates the last three of six unknowns. Those that are not `free` equal `settlement` (the first one) or zero.
 fn condense(
     m: &[[f64; 6]; 6],
     f: &[f64; 6],
@@ -394,9 +373,8 @@ impl BackSubstitution {
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
-    /// Computes the surface settlement of open ground at the node at which this ground ends, from the
-    /// deflection and the rotation in `y`. The ground lies to the left of the node if `forward` is true,
-    /// otherwise to its right. At nodes where no open ground ends on this side, returns `y` unchanged.
+    /// Sets the surface unknown in `y` if open ground ends at the node: on its left if `forward` is true, otherwise on
+    /// its right.
     fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
@@ -417,9 +395,8 @@ mod tests {
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
-    /// Open ground must not restrain the rotation of a free end of the beam. Even the rounding error of the
-    /// ground stiffness must not restrain it, because the end may rise by a million times the settlement of the
-    /// ground.
+    /// Rounding error must not restrain the rotation of a free end, which may rise by a million times the ground
+    /// settlement.
     #[test]
     fn a_free_beam_has_zero_rotational_stiffness() {
         for i in 1..200 {

@@ -1,16 +1,12 @@
 //! Condenses the rotations of hinges, which are nodes at which the rotation θ of the beam jumps.
 //!
-//! A hinge is an element of length zero. The jump δ of θ has the energy ½ k_φ δ², where k_φ is the stiffness of the
-//! hinge. Elimination of θ on the side of the hinge that is already condensed changes the condensed stiffness S of
-//! the node to S − S e (eᵀS e + k_φ)⁻¹ eᵀS with the unit vector e of θ. At a hinge without a spring the row and the
-//! column of θ vanish.
+//! A hinge is an element of length zero. See *Hinges* in `docs/methods.md`.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 use crate::numeric::real::sum;
 
-/// Coefficients of the back-substitution across a hinge. The rotation on the near side of the hinge, which is
-/// eliminated first, is constant − gain · y. The vector y contains the deflection, the rotation on the far side and
-/// the unknown of the ground surface at the hinge.
+/// Back-substitution across a hinge: the rotation on the near side is `constant` minus `gain` times the unknowns on the
+/// far side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HingeRotation {
     gain: [f64; 3],
@@ -49,8 +45,8 @@ impl HingeRotation {
         Ok(Some(HingeRotation { gain, constant: r[THETA] / held }))
     }
 
-    /// Converts the unknowns `y` at the far side of a hinge to the unknowns at its near side. The elimination
-    /// crosses the hinge from its near to its far side. Without a hinge, returns `y` unchanged.
+    /// Converts the unknowns `y` on the far side of a hinge to those on its near side, which the elimination reaches
+    /// first.
     pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - sum::<f64, 3>(|i| gain[i] * y[i]);

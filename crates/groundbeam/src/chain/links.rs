@@ -6,9 +6,8 @@ use crate::chain::node::{ChainNode, OpenGround, Tie};
 /// gap that is subtracted.
 pub(super) type Surface = ([f64; 6], f64);
 
-/// Returns the settlement of the ground surface at a node as a linear function of the unknowns of the cell.
-/// `row` contains the coefficients of the surface unknown of the node, and `beam` those of the deflection of
-/// the node. The surface unknown is the settlement itself, or the settlement relative to the beam.
+/// Returns the settlement of the ground surface at a node as a function of the unknowns of the cell. `row` has the
+/// coefficients of the surface unknown, and `beam` those of the deflection.
 pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surface {
     let mut row = row;
     if !node.from_beam {
@@ -18,11 +17,8 @@ pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surfac
     (row, node.gap)
 }
 
-/// Adds to `k` and `q` the stiffness and the force of the ground under a cell. This ground is out of contact with
-/// the beam. Each of its ends is connected to the surface of the neighbouring ground or to the beam. `surfaces` and
-/// `beam` are the settlement and the deflection at both ends of the cell, as linear functions of the unknowns of
-/// the cell. `k` and `q` are the stiffness matrix and the load vector of the cell for six transformed unknowns;
-/// `turned` converts a linear function of the unknowns of the cell to a function of these six.
+/// Adds the open ground under a cell to the stiffness matrix `k` and the load vector `q`. `turned` converts the
+/// settlements `surfaces` and the deflections `beam` at both ends to functions of the unknowns of `k`.
 pub(super) fn add_open_ground(
     open: &OpenGround,
     surfaces: [Surface; 2],

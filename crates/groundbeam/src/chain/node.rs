@@ -26,13 +26,13 @@ pub(crate) struct ChainNode {
     /// Rotational stiffness of the hinge at this node; `None` without a hinge. A node with a hinge has neither
     /// an applied moment nor a rotational support.
     pub hinge: Option<f64>,
-    /// Stiffness of the ground outside the beam, if the node is an end of the beam and in contact; otherwise 0. The
-    /// force of this ground is this stiffness times (deflection of the node − `gap`).
+    /// Stiffness of the ground outside the beam at an end in contact; otherwise 0. It acts on the deflection minus
+    /// `gap`.
     pub ground_spring: f64,
     /// Initial gap plus free-field settlement at the node.
     pub gap: f64,
-    /// Stiffness of the ground outside the beam, if the node is an end of the beam and not in contact; otherwise 0.
-    /// The force of this ground is this stiffness times the settlement of the ground surface at the node.
+    /// Stiffness of the ground outside the beam at an end out of contact; otherwise 0. It acts on the settlement of the
+    /// surface.
     pub surface_spring: f64,
     /// Whether the settlement of the surface is an unknown, to the left and to the right of the node.
     pub surface: [bool; 2],
@@ -53,9 +53,8 @@ pub(crate) const THETA: usize = 1;
 
 pub(crate) const U: usize = 2;
 
-/// Condensed energy ½ yᵀSy − rᵀy of all cells on one side of a node. S is the condensed stiffness and r the
-/// condensed load. The vector y contains the deflection, the rotation and the unknown of the ground surface at the
-/// node.
+/// Condensed stiffness and force of all cells on one side of a node. Their energy is ½ yᵀSy − rᵀy for the unknowns y of
+/// the node.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct CondensedStiffness {
     pub s: [[f64; 3]; 3],

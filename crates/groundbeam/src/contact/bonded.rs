@@ -44,8 +44,7 @@ struct Known {
 /// The stabilising springs of a bonded beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Springs {
-    /// Sum Σ c (w̃ − w)² over the springs, which is twice their elastic energy. c is the stiffness of a spring, w
-    /// the deflection at which it is unstressed, and w̃ the deflection of the bonded beam.
+    /// Sum over the springs of stiffness times the square of the extension, which is twice their elastic energy.
     pub work: f64,
     /// Whether the forces of the stabilising springs are zero up to rounding error. Then the beam is in
     /// equilibrium without these springs.
@@ -60,9 +59,8 @@ struct StabilisingSpring {
     rest: f64,
 }
 
-/// Creates stabilising springs at the nodes of a mesh. They are unstressed at the deflection of `now`. The
-/// stiffness of each spring is `epsilon` times the stiffness of the ground under the adjoining halves of the
-/// two neighbouring cells.
+/// Creates springs at all nodes, unstressed at the deflection of `now`. Their stiffness is `epsilon` times the
+/// stiffness of the ground under half of each neighbouring cell.
 fn stabilising_springs(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<StabilisingSpring> {
     let spring = |node: &Node| StabilisingSpring {
         at: node.x,
@@ -133,8 +131,8 @@ impl<'a> Bonded<'a> {
         Bonded { is_fine: true, ..Bonded::new(model, cancel) }
     }
 
-    /// Solves the beam bonded to the ground on the given intervals and out of contact elsewhere. Returns
-    /// [`NotDefinite`] if the stiffness matrix is not positive definite, and also if the calculation is cancelled.
+    /// Solves the beam bonded on the given intervals and free elsewhere. Returns [`NotDefinite`] also after a
+    /// cancellation.
     pub fn solve_on(&mut self, intervals: &[Interval]) -> Result<ContactState, NotDefinite> {
         self.solve_with(intervals, &[], |_, _| ())
     }
@@ -176,9 +174,8 @@ impl<'a> Bonded<'a> {
         })
     }
 
-    /// Solves the bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its
-    /// trial contact set. The springs are unstressed at the deflection of `now`. `epsilon` is their stiffness
-    /// relative to the stiffness of the ground; it grows until the system is positive definite.
+    /// Solves a mechanism with springs at all nodes, unstressed at the deflection of `now`. Their stiffness relative to
+    /// the ground, `epsilon`, grows until the solve succeeds.
     pub fn solve_stabilised(
         &mut self,
         intervals: &[Interval],
@@ -202,9 +199,8 @@ impl<'a> Bonded<'a> {
                     extension = extension.max((w - spring.rest).abs());
                     deflection = deflection.max(w.abs());
                 }
-                // If the springs are stiffer than the ground, even a small extension of the springs can carry the
-                // loads. The extension is therefore multiplied by the ratio of spring stiffness to ground
-                // stiffness.
+                // Springs stiffer than the ground can carry the loads with a small extension. So the extension is
+                // scaled by the stiffness ratio.
                 let at_rest = extension * epsilon.max(1.0) <= ULPS * f64::EPSILON * deflection;
                 return Some((found, Springs { work, at_rest }));
             }
@@ -289,9 +285,8 @@ impl<'a> Bonded<'a> {
         }
     }
 
-    /// Computes the polynomial coefficients of the rotation φ of the cross-sections in each cell of the mesh.
-    /// `coefficients` contains those of the deflection. An element with boundary layers may have several
-    /// cells.
+    /// Computes the coefficients of the rotation φ of the cross-sections in all cells. `coefficients` are those of the
+    /// deflection.
     fn rotations(&self, mesh: &Mesh, coefficients: &[f64], shapes: &[[f64; 4]]) -> Vec<f64> {
         if !self.model.beam.shears() {
             return Vec::new();
@@ -344,8 +339,8 @@ impl<'a> Bonded<'a> {
     }
 }
 
-/// A rotation that is prescribed for a mechanism. A rotational spring, unstressed at this rotation, stabilises the
-/// beam. The spring carries no moment if the beam is in equilibrium without it.
+/// A rotation prescribed for a mechanism by a spring that is unstressed at this rotation. In equilibrium, the spring
+/// carries no moment.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenRotation {
     pub at: f64,
@@ -366,9 +361,8 @@ mod tests {
     use crate::model::{Beam, Foundation, Load};
     use crate::numeric::polynomial::jet;
 
-    /// An interval of length h without contact, inside a contact zone, changes the deflection and the curvature
-    /// beside it by less than h² in the dimensionless units of this test. This is true for every h, and
-    /// wherever a node lies in the interval. The tolerance for rounding error is 10⁻¹³.
+    /// A gap of length h inside a contact zone changes the fields beside it by less than h² plus 10⁻¹³ of rounding
+    /// error.
     #[test]
     fn fields_beside_a_short_gap_keep_their_digits() {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))

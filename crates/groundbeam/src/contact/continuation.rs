@@ -1,14 +1,8 @@
 //! Computes an initial guess for Newton's method on the contact edges of a long soft beam by continuation in the stiffness EI.
 //!
-//! Phase A of the solver finds contact zones from ground forces at nodes, and phase B finds the exact contact
-//! edges by Newton's method. On a long soft beam, phase B needs a better initial guess than phase A gives. The beam is
-//! therefore stiffened until at most a few waves fit between adjacent nodes of the model, such as loads and supports;
-//! the length of a wave is 1/wave number. Phase A finds the contact of this stiff beam, and phase B its edges. The
-//! stiffness is then reduced in steps to the stiffness of the model. Each step predicts the edges by the secant
-//! of the two preceding beams and corrects them by Newton's method without a line search. A step that does not
-//! converge is halved. If a very short step does not converge, Newton's method with a line search solves the beam, and
-//! the steps start again with the longest one. If the line search fails too, the step is halved down to the shortest
-//! step.
+//! Nodal forces (phase A) and Newton's method (phase B) find the contact of a stiffened beam. The stiffness then
+//! decreases in steps to that of the model. Each step extrapolates the edges of the two preceding steps. See *The
+//! start* in `docs/methods.md`.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -30,10 +24,8 @@ use crate::model::Model;
 use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
-/// Computes the deflection and the contact set from which Newton's method on the contact edges (phase B) starts.
-/// Levels count from 0, and each level uses a finer mesh than the preceding level. Except at level 1, the
-/// calculation starts with a stiffer beam. Its bending stiffness is reduced to that of the model in steps, which
-/// are shorter at higher levels.
+/// Computes the initial guess for Newton's method on the contact edges. Levels 0, 1 and 2 have increasingly fine
+/// meshes. Level 1 does not stiffen the beam.
 pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };
@@ -95,9 +87,8 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Performs phase A: computes the contact set from ground forces at the nodes, on meshes from coarse to fine. The
-/// nodal forces determine the contact set. At the last level, the obstacle problem for the computed deflection
-/// determines it instead.
+/// Computes the contact set from nodal ground forces, on meshes from coarse to fine (phase A). At the last level, the
+/// contact set is that of the obstacle problem for the computed deflection.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Shear deformation is omitted here, because it requires elements with power series, which take ten times as
     // long.
@@ -115,9 +106,8 @@ fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconver
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Returns log₂ of the factor by which EI is multiplied so that the wave number of the beam times the distance
-/// between adjacent nodes of the model is at most [`STIFF_WAVES`]. With increasing EI, the wave number decreases at
-/// least as fast as EI^(−1/4).
+/// Returns log₂ of the factor on EI that limits the product of wave number and node distance to [`STIFF_WAVES`]. The
+/// wave number decreases at least as fast as EI^(−1/4).
 fn stiffening(model: &Model) -> f64 {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
@@ -158,9 +148,8 @@ fn asked(found: &ContactState) -> Vec<Interval> {
     positions(&found.mesh, &found.zones, &[])
 }
 
-/// Extrapolates the contact edges: moves each edge beyond its position in `here` by `part` times its move from
-/// `before` to `here`, at most to an end of the beam of length l. Returns `None` if the number of zones changed or
-/// if the extrapolated zones would overlap.
+/// Extrapolates each contact edge by `part` times its move from `before` to `here`, within the beam of length `l`.
+/// Returns `None` if the number of zones changed or zones would overlap.
 pub(crate) fn secant(
     before: &[Interval],
     here: &[Interval],

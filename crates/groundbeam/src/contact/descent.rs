@@ -1,10 +1,7 @@
 //! Shortens a Newton step of the contact edges by a line search so that the energy does not increase.
 //!
-//! Near the solution, Newton's method converges quadratically. Far from the solution, a beam that is bonded to
-//! the ground on a trial contact set may be weakly supported and have very large deflections. Then the step is
-//! shortened to the point where the slope of the convex energy Φ along the step is nearly zero. The deflections
-//! at both ends of the step are polynomials on a common mesh, so the slope of Φ on the line between them is
-//! computed exactly.
+//! The step ends where the slope of the convex energy along the step is nearly zero. The slope is computed exactly from
+//! polynomials. See section 4 of `docs/methods.md`.
 
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
@@ -26,9 +23,8 @@ pub(crate) struct Shortened {
     pub between: Option<ContactState>,
 }
 
-/// Shortens the step from the present deflection w (`now`) to the deflection w̃ (`bonded`) of a beam that is bonded
-/// to the ground in the trial contact zones. `spring_work` is the sum Σ c (w̃ − w)² over the stabilising springs of
-/// stiffness c.
+/// Shortens the step from `now` to the deflection `bonded`. `spring_work` is twice the energy of the stabilising
+/// springs at `bonded`.
 pub(crate) fn shorten(
     model: &Model,
     now: &ContactState,
@@ -111,8 +107,7 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
         let cell = &found.mesh.cells[point.cell];
-        // A zone end at the left end of a cell of the coarse mesh must be at the left end of a cell of the finer
-        // mesh too. So the cell of the finer mesh is searched at a position just to the right of the zone end.
+        // A zone end at the left end of a coarse cell becomes the left end of the fine cell just to the right of it.
         if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
             BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }

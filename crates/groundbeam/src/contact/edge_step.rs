@@ -1,11 +1,8 @@
 //! Computes the next position of each contact edge by Newton's method from the concentrated force at the edge.
 //!
-//! An edge inside the beam carries no concentrated force. If an edge of the bonded beam is in the wrong position, the
-//! slope of the ground surface jumps at the edge, and a known concentrated force A acts there. Near the solution, one
-//! step of Newton's method for A = 0 at each edge, with the deflection fixed, squares the error of the edge
-//! positions. The [scan](crate::contact::obstacle) of the whole beam also squares this error, but at much higher
-//! cost. Zones that split, appear or vanish are found by the scan only; the certificate refuses a solution that
-//! misses such zones.
+//! An edge in the wrong position carries a concentrated force. A Newton step moves each edge so that its force
+//! vanishes. Only the [scan](crate::contact::obstacle) finds zones that split, appear or vanish. See *Near the
+//! solution* in `docs/methods.md`.
 
 use super::surface::can_carry;
 use crate::contact::intervals::Interval;
@@ -33,10 +30,8 @@ impl OpenSpan {
     }
 }
 
-/// Moves every edge of the given contact zones by a Newton step, and returns the new contact intervals. The
-/// ends of the zones must be nodes of the mesh. Returns `None` in each of these cases: there is no zone, a part of
-/// the ground has no shear layer, a concentrated contact force (at a point contact or, for example, at an end of the beam) is
-/// tensile, or a step is too long.
+/// Moves every contact edge by a Newton step. The ends of `zones` must be nodes. Returns `None` if this fails, for
+/// example on Winkler ground, for a tensile concentrated force or a long step.
 pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);
     let [run] = runs.as_slice() else { return None };
@@ -67,18 +62,16 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
     zones.iter().enumerate().map(interval).collect()
 }
 
-/// Computes by one Newton step how far a contact edge must move outward so that the concentrated force at the edge
-/// becomes zero. `stiffness` is the stiffness of the ground out of contact beside the edge. The edge does not move
-/// if the ground can exert a concentrated force there ([`can_carry`]), for example at an end of the beam. The
-/// result is `None` if this force is tensile, or if no move makes the concentrated force zero.
+/// Returns the outward Newton step of an edge after which its concentrated `force` is zero. The step is 0 where the
+/// ground can carry this force ([`can_carry`]). `stiffness` is that of the open ground beside the edge.
 fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);
     }
     let [_, _, pressure] = w.obstacle_and_pressure(edge);
     let [_, shear] = w.mesh.cells[edge.cell].ground_at(edge.s);
-    // An outward move of the edge reduces the concentrated force by `slope` times the move. The quotient of `force` and
-    // `shear` is the jump in the slope of the ground surface at the edge.
+    // `slope` is the decrease of the force per outward move, and `force / shear` the jump in the surface slope at the
+    // edge.
     let slope = pressure - stiffness / shear * force;
     (slope > 0.0).then_some(force / slope)
 }

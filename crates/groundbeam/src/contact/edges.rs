@@ -1,15 +1,8 @@
 //! Phase B of the contact iteration: finds the contact edges by Newton's method.
 //!
-//! Each step solves the beam bonded to the ground on a trial contact set Z, and computes the contact set of the
-//! resulting deflection. Near the solution, [edge Newton](super::edge_step) computes this contact set: with the
-//! deflection fixed, one Newton step moves each edge so that the concentrated force at the edge becomes nearly
-//! zero. Far from the solution, the obstacle problem determines the contact set. The move of the contact is the
-//! length of the longest interval in the symmetric difference of Z and this contact set. A step is a full step if
-//! its move is at most half of the smallest move so far, or below [`BLIND`]. Every other step, and every step with
-//! stabilising springs, is shortened by a line search, so that the energy Φ decreases.
-//!
-//! The stopping criterion uses the edges, not the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the
-//! energy, so the energy cannot show whether the zone is in contact.
+//! Each step solves the beam bonded to the ground on a trial contact set. The next set follows from [edge
+//! Newton](super::edge_step) near the solution, otherwise from the obstacle problem. A line search shortens steps that
+//! do not converge. See *Stopping* in `docs/methods.md`.
 
 use crate::contact::bonded::{Bonded, GivenRotation, Springs};
 use crate::contact::descent::shorten;
@@ -107,11 +100,12 @@ struct Search<'a, 'm> {
     visited: Vec<Visited>,
     /// The present deflection, from which the next step of the contact iteration starts.
     now: Option<Rc<ContactState>>,
-    /// Change of the contact in a step, relative to the length of the beam: `before` in the step before the
-    /// last, `moved` in the last step, and `least` in the step with the smallest change so far. The change is
-    /// the length of the longest interval that is in contact either before or after the step, but not both.
+    /// Length of the longest interval on which the contact changed in the step before the last, relative to the beam
+    /// length.
     before: f64,
+    /// The same length in the last step; infinite after a shortened step.
     moved: f64,
+    /// The smallest of these lengths so far.
     least: f64,
     /// Length of the longest interval on which the contact changed in the last step, relative to the length of the
     /// beam. A shortened step resets `moved`, but not this value.
@@ -201,18 +195,16 @@ impl Search<'_, '_> {
         Ok(Bond::Trial(Trial { found: Rc::new(found), springs: Some(springs) }))
     }
 
-    /// Solves a beam that touches the ground at one point only. The beam could rotate about this point, so its
-    /// rotation is prescribed as in the deflection `like`. Returns `None` if the computed deflection does not
-    /// solve the contact problem.
+    /// Solves a beam on one contact point with the rotation of `like`. Returns `None` if this does not solve the
+    /// contact problem.
     fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
         let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
         let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ROUNDING_GAP;
         holds.then_some(found)
     }
 
-    /// Computes the next trial contact set. If the last change of the contact was small, a Newton step moves the
-    /// contact edges. If the change was large, or if the Newton step fails or moves no edge, the obstacle problem
-    /// for the deflection of the bonded beam determines the contact set.
+    /// Computes the next trial contact set by a Newton step of the edges, or from the obstacle problem if the last move
+    /// was large or no edge moves.
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
@@ -226,8 +218,8 @@ impl Search<'_, '_> {
         let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
-        // A move of the contact edges counts as progress if it is at most half of the preceding move. A move of the
-        // size of rounding error must be at most half of the smallest move so far, because such moves fluctuate.
+        // A move is progress if it is at most half of the preceding move. Moves in the range of rounding error
+        // fluctuate, so they must be at most half of the smallest move.
         let goal = if self.moved > JITTER { self.last } else { self.least };
         let is_progress = self.moved.is_finite() && self.moved <= 0.5 * goal;
         self.stale = if is_progress { 0 } else { self.stale + 1 };
@@ -297,8 +289,8 @@ impl Search<'_, '_> {
         Some(ContactState { edge_error: EdgeError::of(&trials, l), ..found.clone() })
     }
 
-    /// Returns the solution with the fewest contact zones among the steps of a cycle. The trial contacts of a cycle
-    /// differ only because of rounding error. Returns `None` unless the iteration returns to an earlier contact.
+    /// If the iteration returns to an earlier contact, returns the solution with the fewest zones in this cycle. The
+    /// contacts of a cycle differ by rounding error.
     fn returned(&mut self, asked: &[Interval]) -> Option<ContactState> {
         let l = self.length();
         if self.moved <= SAME {
@@ -322,10 +314,8 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// Solves the beam without contact in the zones whose contact force is only rounding error, and bonded to the
-    /// ground in the other zones. A zone stays in contact if the distance between beam and ground is only rounding
-    /// error. Returns `None` if no other zone has such a small force, or if the result does not solve the contact
-    /// problem.
+    /// Solves the beam without the zones whose contact force is rounding error. Zones whose distance from the ground is
+    /// rounding error stay in contact.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -350,8 +340,8 @@ impl Search<'_, '_> {
         let mut edge_error = EdgeError::of(&[contact, &strong], self.length());
         edge_error.moved = edge_error.moved.max(self.moved * self.length());
         let rest = self.bonded.solve_on(&strong).ok()?;
-        // Zones in which the ground would be in tension are left out of contact. If the obstacle problem for
-        // the new deflection puts these zones in contact again, their tension is rounding error.
+        // Zones in tension are left out. If the obstacle problem puts them in contact again, their tension is rounding
+        // error.
         let own = self.scan(&rest);
         let same =
             |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDING_MOVE * self.length();
@@ -367,9 +357,8 @@ impl Search<'_, '_> {
         is_short.then(|| [from, to].into_iter().find_map(|at| self.balanced(&[[at; 2]], found)))?
     }
 
-    /// Returns the next trial contact set. After a full step, it is the contact set `asked` that was computed for
-    /// the full step. After a shortened step, it is the contact set of the deflection at the end of the shortened
-    /// step.
+    /// Returns the next trial contact set: `asked` after a full step, otherwise that of the deflection after the
+    /// shortened step.
     fn step(
         &mut self,
         contact: Vec<Interval>,
@@ -397,9 +386,7 @@ impl Search<'_, '_> {
             self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
         }
         if shortened.part < LEAST_PART {
-            // The next trial contact set follows from the obstacle problem for the present deflection.
-            // With this contact set, the energy certainly decreases in the next step. With a contact set from a
-            // Newton step of the edges, the energy may increase.
+            // With the contact set of the obstacle problem, the energy decreases in the next step.
             let own = self.scan(&from);
             self.needs_springs =
                 longest_difference(&contact, &own) <= ROUNDING_MOVE * self.length();

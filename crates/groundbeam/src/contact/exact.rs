@@ -1,16 +1,11 @@
 //! Solves the exact contact problem, whose unknowns are the positions of the contact edges.
 //!
-//! Between loads, supports, hinges and contact edges, the differential equation (2.11) of the paper for the
-//! deflection w has a closed-form solution. The unknowns are the number of contact zones and the positions of
-//! their edges. [Phase B](super::edges) finds these unknowns by Newton's method. The following initial
-//! guesses are tried until one leads to a solution:
+//! [Phase B](super::edges) finds the edges by Newton's method, from the first of these initial guesses that leads to a
+//! solution:
 //!
 //! 1. the contact of a neighbouring model, if given;
-//! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
-//! 3. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
-//!
-//! If rounding errors make the energy gap of the solution too large, the problem is solved once more [relative to a
-//! translation](super::translation).
+//! 2. the whole length of a short beam, or a nodal solve of a long one ([`start`](super::start));
+//! 3. the contact of a stiffer beam ([`continuation`](super::continuation)).
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -27,9 +22,8 @@ use crate::model::{GapPoint, Model};
 use crate::numeric::tolerance::GAP;
 use std::borrow::Cow;
 
-/// Solves the contact problem of a model. `judge` computes the relative energy gap of a deflection with its
-/// contact set. The function returns the last state for which it called `judge`. `likely` is the contact set of
-/// a neighbouring model (warm start).
+/// Solves the contact problem, from the contact set `likely` of a neighbouring model if given. `judge` computes the
+/// relative energy gap; its last call is for the returned state.
 pub(crate) fn solve(
     model: &Model,
     likely: Option<&[Interval]>,

@@ -1,8 +1,7 @@
 //! Computes products with the flexibility matrix G of the ground, (5.8) of Kikuchi's paper, without forming the matrix.
 //!
-//! G contains the settlement of each node of a mesh due to a unit force at each node. On each side of the diagonal,
-//! each entry is its neighbour in the same column times a factor that depends only on the row. A product with G
-//! therefore costs only O(n) operations.
+//! Below and above the diagonal, an entry is its neighbour in the column times a factor of the row. So a product costs
+//! O(n).
 
 use crate::ground::link::TwoPort;
 use crate::mesh::mesh::Mesh;

@@ -22,9 +22,8 @@ pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<
     all.filter(kept).map(|(_, interval)| interval).collect()
 }
 
-/// Joins neighbouring intervals if the distance between them is only rounding error. l is the length of the beam.
-/// Point contacts are not joined, because a beam can touch the ground at a single point where a shear layer ends
-/// beside Winkler ground.
+/// Joins neighbouring intervals whose distance is rounding error, on a beam of length l. Point contacts stay separate,
+/// because a shear layer beside Winkler ground can have one at its end.
 pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
     let mut joined: Vec<Interval> = Vec::with_capacity(intervals.len());
     for interval in intervals {
@@ -91,12 +90,8 @@ pub(crate) fn zones_of(
     zones
 }
 
-/// Returns the longest interval of the symmetric difference of two contact sets, or, if it is larger, the
-/// largest distance of a point contact in one set from the other set. The result is infinite in two cases:
-///
-/// * One set is empty, and the other set has a point contact.
-/// * One set has a zone and a separate point contact in this zone, and the other set has only the zone. Such a
-///   point contact is the end of a shear layer beside Winkler ground.
+/// Returns the longest interval on which two contact sets differ, or a larger distance of a point contact from the
+/// other set. This distance is infinite if the other set is empty, or has a zone but no separate contact at this point.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     if a == b {
         return 0.0;

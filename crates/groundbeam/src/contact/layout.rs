@@ -10,9 +10,7 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use std::ops::Range;
 
-/// Limit of the distance of a node from the nearest point in contact, multiplied by the wave number of the beam. At
-/// a node out of contact within this limit, the unknown of the ground surface is the settlement relative to the
-/// beam.
+/// Distance of a node from contact, times the wave number, up to which its surface unknown is relative to the beam.
 const NARROW_GAP: f64 = 1e-2;
 
 /// Contact of the cells and nodes of a mesh.
@@ -105,8 +103,8 @@ impl Layout {
                 ..ChainNode::default()
             })
             .collect();
-        // Integration by parts converts the load from the free-field settlement u₀ on a cell in contact to a
-        // distributed load and the point forces −μu₀′ and μu₀′ at the left and the right end of the cell.
+        // In contact, integration by parts converts the load from the free-field settlement u₀ to a distributed load
+        // and the forces −μu₀′ and μu₀′ at the left and right end of a cell.
         for (i, cell) in mesh.cells.iter().enumerate() {
             if self.touching[i] && cell.has_free_field() {
                 let [from, to] = [-1.0, 1.0].map(|s| cell.shear_layer * cell.free_field_at(s)[1]);
@@ -157,8 +155,7 @@ impl Layout {
         nodes
     }
 
-    /// Computes the distance of each node of a stretch of ground from the nearest point in contact. Between a
-    /// point in contact and a node close to it, the ground out of contact is short and therefore very stiff.
+    /// Computes the distance of each node of a stretch of ground from the nearest point in contact.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let mut distance = vec![f64::INFINITY; cells.len() + 1];

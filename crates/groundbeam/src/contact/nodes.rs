@@ -1,7 +1,7 @@
 //! Solves Kikuchi's discrete problem (5.5), (5.10), (5.11), in which the ground acts at nodes, with exact beam elements.
 //!
-//! Exact beam elements replace the cubic elements (5.2) of the paper. Newton's method determines the nodes in
-//! contact, on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
+//! The exact elements replace the cubic elements (5.2). Newton's method determines the nodes in contact, on meshes from
+//! coarse to fine ([`newton`](crate::nodal::newton)).
 
 use crate::cancel::Cancel;
 use crate::contact::edge_error::EdgeError;
@@ -64,9 +64,8 @@ impl Solved {
         let mut parts = Vec::with_capacity(last);
         for (cell, own) in mesh.cells.iter().enumerate() {
             if own.shear_layer == 0.0 {
-                // The certificate uses the distributed pressure of the springs under the deflection, not the nodal
-                // forces. The complementary energy ∫p²/(2k) of a point force on ground without a shear layer is
-                // infinite.
+                // The certificate uses the distributed pressure, because nodal forces on Winkler ground have infinite
+                // complementary energy.
                 springs::cover(&w, cell, &mut parts);
             } else {
                 let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
@@ -131,9 +130,8 @@ pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
     }
 }
 
-/// Returns the nodes at which the beam is divided into cells with one closed-form solution each: the nodes in contact,
-/// their neighbours, and the ends of the parts out of contact. Beside a contact zone, the beam may penetrate the ground
-/// over less than the length of an element. A short cell there keeps the error estimate sharp.
+/// Returns the ends of cells with one closed-form solution each. A short cell beside a contact zone keeps the error
+/// estimate sharp.
 fn ends(grid: &Grid, workspace: &Workspace) -> Vec<usize> {
     let last = grid.last();
     let near = |&[from, to]: &Zone| from.saturating_sub(1)..=(to + 1).min(last);

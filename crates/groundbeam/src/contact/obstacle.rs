@@ -1,20 +1,8 @@
 //! Solves the obstacle problem (2.10) of Kikuchi's paper: computes the contact set of the ground for a given deflection w.
 //!
-//! The obstacle is ψ = w − g₀ − u₀, with the initial gap g₀ and the free-field settlement u₀. The ground surface is
-//! the least u ≥ ψ with −(μu')' + ku ≥ 0, where k is the subgrade modulus and μ the stiffness of the shear layer.
-//! One scan from left to right computes u. It works like the construction of a convex hull, with solutions of
-//! −(μu')' + ku = 0 in place of straight lines.
-//!
-//! * Beam and ground can touch along an interval only where the contact pressure π = kψ − (μψ')' is not negative.
-//!   These candidate intervals, the *arcs*, follow from the sign changes of the polynomial π.
-//! * The stack contains the contact intervals of the arcs read so far. A span of unloaded ground, tangent to the last
-//!   arc and to a new arc, joins these two arcs and trims them. An arc on which the ground would be in tension is
-//!   dropped, and the span is extended to the previous arc.
-//! * At the ends a and b of the span the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are zero.
-//!   There dA/da = −π(a) and dB/db = π(b), and neither force depends on the opposite end to first order. So Newton's
-//!   method on each end in turn converges quadratically.
-//!
-//! The scan trims each arc only from its ends and passes each cell once, so its cost is O(n).
+//! The obstacle is the deflection minus the initial gap and the free-field settlement. As for a convex hull, one scan
+//! joins the *arcs*, on which full contact gives no tension, by tangent spans of unloaded ground. It costs O(n)
+//! operations. See section 2 of `docs/methods.md`.
 
 use crate::contact::short_span;
 use crate::contact::springs::{is_rounding_error, join, positive_parts, winkler_contact};
@@ -43,9 +31,8 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
 struct OpenSpan {
     left: Option<BeamPoint>,
     right: Option<BeamPoint>,
-    /// Force–displacement relation of the whole cells between the cell that contains `left` and the cell that
-    /// contains `right`. If `left` or `right` is `None`, the relation also covers the ground beyond the
-    /// corresponding end of the [`GroundRun`].
+    /// Two-port of the whole cells between `left` and `right`, and of the ground beyond the [`GroundRun`] if one is
+    /// `None`.
     middle: Option<TwoPort>,
 }
 
@@ -56,10 +43,8 @@ struct KeptZone {
     span: OpenSpan,
 }
 
-/// Newton's method for the position of a contact edge has converged if its step is only rounding error and the
-/// concentrated force at the edge is below this fraction of the force before the step. A small step alone is not
-/// sufficient. If the span out of contact beside the edge is very short, a large force also causes only a small
-/// step.
+/// Newton's method for an edge has converged if its step is rounding error and the last step reduced the force below
+/// this fraction. Beside very short open spans, small steps alone do not show convergence.
 const CONVERGED: f64 = 0.01;
 
 struct Scan<'a> {
@@ -104,9 +89,8 @@ impl Scan<'_> {
         stack.into_iter().map(|kept| kept.zone).collect()
     }
 
-    /// Ends the last contact zone of `stack` at the left end of `span`. If the zone is then a single point without a
-    /// compressive force, removes the zone and extends `span` to the previous zone. Returns whether the zone was
-    /// removed.
+    /// Ends the last zone at the left end of `span`. If only a point without compression is left, adds the zone to
+    /// `span` and returns true.
     fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
         let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
         last.zone.to = touch;
@@ -118,9 +102,8 @@ impl Scan<'_> {
         dropped
     }
 
-    /// Computes the span out of contact at the right end of the [`GroundRun`], and ends the last contact zone of
-    /// `stack` at the left end of this span. If this zone is then a single point without a compressive force, removes
-    /// the zone, extends the span and treats the previous zone in the same way.
+    /// Ends the last zone where the open ground at the right end of the [`GroundRun`] begins. Removes zones without
+    /// compression.
     fn close(&self, stack: &mut Vec<KeptZone>) {
         let end = self.run.cells.end;
         let Some(last) = stack.last() else { return };
@@ -141,10 +124,8 @@ impl Scan<'_> {
         }
     }
 
-    /// Returns the candidate intervals (arcs), on which the pressure of the ground in full contact is not negative.
-    /// Arcs are joined over cells unless a corner of the obstacle separates them. Also returns single points that
-    /// may carry a force: ends of the shear layer, and corners that press into the ground. A cell on which the obstacle
-    /// is only rounding error has no arcs.
+    /// Returns the arcs: intervals on which full contact gives no tension, and single points that may carry a force
+    /// (ends of the shear layer and corners pressed into the ground).
     fn arcs(&self) -> Vec<MeshZone> {
         let cells = self.run.cells.clone();
         let mut arcs: Vec<MeshZone> = Vec::new();
@@ -160,6 +141,7 @@ impl Scan<'_> {
             if corner > 0.0 && !starts_here && !ended_here {
                 arcs.push(point_zone(BeamPoint { cell: i, s: -1.0 }));
             }
+            // A corner with a tensile force separates two arcs.
             for part in parts {
                 join(&mut arcs, i, part, corner >= 0.0);
             }
@@ -234,9 +216,7 @@ impl Scan<'_> {
         }
     }
 
-    /// Computes the concentrated contact force A at the left end a of a span of ground out of contact, and its
-    /// derivative dA/da = −π + (S/μ) A. π is the pressure that the ground at a would have in contact. S is the
-    /// force at a per unit settlement of the ground at a, and μ is the stiffness of the shear layer.
+    /// Returns the concentrated force at the left end of an open span, and its derivative with respect to the position.
     fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { left: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -250,9 +230,8 @@ impl Scan<'_> {
         [force, (link.shunt_left + link.series) / shear * force - pressure]
     }
 
-    /// Computes the concentrated contact force B at the right end b of a span of ground out of contact, and its
-    /// derivative dB/db = π − (S/μ) B. π is the pressure that the ground at b would have in contact. S is the force
-    /// at b per unit settlement of the ground at b, and μ is the stiffness of the shear layer.
+    /// Returns the concentrated force at the right end of an open span, and its derivative with respect to the
+    /// position.
     fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { right: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -266,9 +245,8 @@ impl Scan<'_> {
         [force, pressure - (link.shunt_right + link.series) / shear * force]
     }
 
-    /// Returns the concentrated contact forces at the left and the right end of a short span of ground out of
-    /// contact. Returns `None` if the span is not short, or if differences of the slopes of beam and ground surface
-    /// give more accurate forces.
+    /// Returns the concentrated forces at both ends of a short open span, or `None` if differences of slopes are more
+    /// accurate.
     fn short(&self, span: &OpenSpan) -> Option<[f64; 2]> {
         short_span::end_forces(self.w, [span.left, span.right])
     }
@@ -330,9 +308,8 @@ impl Scan<'_> {
         span.right = Some(point);
     }
 
-    /// Finds the position at which a concentrated force changes sign in the given `sense`, between two points of one
-    /// cell. Newton's method is used. It is replaced by bisection if a step leaves the bracket or does not halve the
-    /// force.
+    /// Finds the sign change of a concentrated force in a cell. `sense` is the sign at the right end. Bisection
+    /// replaces a Newton step that leaves the bracket or does not halve the force.
     fn tangent(
         &self,
         cell: usize,

@@ -10,18 +10,16 @@ use crate::numeric::polynomial::value;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 
-/// If the load resultant acts exactly at an end of the beam, the solver first shifts it into the beam by this fraction
-/// of the beam's length. It then computes the smallest rotation at which the beam is in equilibrium.
+/// Shift of a load resultant from an end into the beam, relative to the beam length. The shifted resultant gives the
+/// smallest rotation in equilibrium.
 const ALMOST: f64 = 1e-6;
 
-/// Trial values for the increase of the beam's rotation above φ₀, the smallest rotation in equilibrium, relative to
-/// max(|φ₀|, |w₀|/l). Here w₀ is the deflection of the end in contact at the rotation φ₀, and l is the length of
-/// the beam. The solver takes the first value whose solution has a relative energy gap of at most [`GAP`].
+/// Trial increases of the rotation above the smallest rotation φ₀ in equilibrium, relative to max(|φ₀|, |w₀|/l). w₀ is
+/// the deflection of the end in contact, and l the beam length.
 const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
 
-/// Solves a free beam whose load resultant acts exactly over one of its ends. The beam touches the ground only at
-/// this end, and it is in equilibrium at every rotation above a smallest rotation. At the smallest rotation, the
-/// beam is tangent to the ground at this end. The function chooses a larger rotation.
+/// Solves a free beam whose load resultant acts exactly over one end, the only contact. Every rotation above a smallest
+/// rotation is in equilibrium. The function chooses one of them.
 pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,
@@ -50,8 +48,8 @@ pub(crate) fn solve_over_an_end(
     turned_clear(&mut Bonded::new(model, cancel), &[[at, at]], turns, limit.history, judge)
 }
 
-/// Solves the beam bonded to the ground on `contact` with prescribed rotations, once for each set of rotations in
-/// `turns`. Returns the first solution whose relative energy gap, computed by `judge`, is at most [`GAP`].
+/// Solves the bonded beam for each set of rotations in `turns`. Returns the first solution with an energy gap of at
+/// most [`GAP`].
 pub(crate) fn turned_clear(
     bonded: &mut Bonded,
     contact: &[Interval],

@@ -1,20 +1,8 @@
 //! Computes the contact forces at the ends of a short span of open ground from the pressure π that would close the span.
 //!
-//! A span of open ground extends from a to b. Its concentrated end forces are A = μψ'(a) − μu'(a) and B = μu'(b) −
-//! μψ'(b), where μ is the stiffness of the shear layer, u the ground displacement and ψ the obstacle. If the span has
-//! just opened, u and ψ differ only in the last digits, and so do their slopes. A and B are then small differences of
-//! large numbers. The difference e = u − ψ is 0 at a and b, and −(μe')' + ke = −π between a and b, where k is the
-//! subgrade modulus. Green's identity gives the forces without differences of slopes:
-//!
-//! > A = ∫ π φ_a dx, B = ∫ π φ_b dx,
-//!
-//! where φ_a is the surface of unloaded ground that is 1 at a and 0 at b, and φ_b is the surface that is 0 at a and 1
-//! at b. The pressure π includes the point forces −\[μψ'\] of corners, where \[ \] denotes the jump at the corner. The
-//! power series of ψ determines π, and the sign of π determines whether the span opens.
-//!
-//! For a span of length h and the machine precision ε, the rounding error of the differences of slopes is ε μψ/h, and
-//! the rounding error of the integrals is ε h (kψ + μψ″). The functions use the formula with the smaller rounding
-//! error.
+//! In a span that has just opened, differences of slopes lose digits. Green's identity gives the end forces A = ∫ π φ_a
+//! dx and B = ∫ π φ_b dx. φ_a is the settlement of unloaded ground that is 1 at the left end and 0 at the right end,
+//! and φ_b the reverse. See *Short open spans* in `docs/methods.md`.
 
 use crate::ground::link::{Pair, TwoPort};
 use crate::mesh::cell::Cell;
@@ -23,11 +11,10 @@ use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::{Coefficients, value};
 use crate::numeric::real::Real;
 
-/// Maximum number of cells from the cell of the left end of a short span to the cell of its right end, both
-/// included. Up to two of these cells may lie beside the span and only touch its ends.
+/// Maximum number of cells of a short span, including cells that only touch an end of the span.
 pub(crate) const MOST_CELLS: usize = 4;
-/// Maximum length of a short span, in decay lengths √(μ/k) of the ground. In longer spans, contact forces computed
-/// as differences of the slopes of beam and ground surface are accurate to twelve digits.
+/// Maximum length of a short span, in decay lengths √(μ/k). Above it, differences of slopes give twelve accurate
+/// digits.
 const LONGEST: f64 = 0.03;
 
 /// A part of a cell within a short span, and the data of its ground.
@@ -48,9 +35,8 @@ struct SpanPart<R> {
 struct VaryingGround<R> {
     /// Relation between the settlements and the forces at the left and the right end of this stretch of ground.
     link: TwoPort<R>,
-    /// Coefficients of the powers of s ∈ \[−1, 1\] in two settlement shapes of the ground surface. The first shape
-    /// has the settlement 1 at the left end of the stretch and 0 at its right end. The second shape has the
-    /// settlement 0 at the left end and 1 at the right end.
+    /// Coefficients in s ∈ \[−1, 1\] of two settlement shapes: 1 at the left end and 0 at the right end, and the
+    /// reverse.
     surfaces: [Coefficients<R>; 2],
 }
 
@@ -77,9 +63,8 @@ impl<R: Real> SpanPart<R> {
         Some(part)
     }
 
-    /// Computes the settlement φ of the surface of unloaded ground, and the flux μφ', at the right end of this part
-    /// of a cell from their values at the left end. If `turned` is true, computes φ and the flux −μφ' at the left
-    /// end from their values at the right end. All terms are positive, so no digits cancel.
+    /// Transfers the settlement φ and the flux μφ' of unloaded ground from the left to the right end of this part, or φ
+    /// and −μφ' back if `turned` is true. All terms are positive, so no digits cancel.
     fn cross(&self, phi: R, flux: R, turned: bool) -> [R; 2] {
         if let Some(ground) = &self.varying {
             let link = &ground.link;
@@ -97,10 +82,8 @@ impl<R: Real> SpanPart<R> {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
-    /// Computes the integral ∫π φ ds over this part of a cell for two settlement shapes φ of unloaded ground, with
-    /// the local coordinate s from −1 to 1 at the ends of the part. π, with the coefficients `pi`, is the pressure
-    /// that the ground would have in contact. The first shape has the settlement 1 at the left end of the part and
-    /// 0 at the right end, and the second shape 0 at the left end and 1 at the right end.
+    /// Computes ∫π φ ds, −1 ≤ s ≤ 1, for two settlement shapes φ of this part. The first is 1 at the left end and 0 at
+    /// the right end; the second is the reverse. `pi` has the coefficients of the pressure π.
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
@@ -115,8 +98,8 @@ impl<R: Real> SpanPart<R> {
             }
             return under;
         }
-        // The settlement shape that is 1 at the right end is sinh(tz)/sinh(z). z is the length of the part times
-        // √(k/μ), and t the distance from the left end divided by the length of the part.
+        // The shape that is 1 at the right end is sinh(tz)/sinh(z): z is the length times √(k/μ), and t the relative
+        // position.
         let square = self.length * self.length;
         for (x, weight) in GAUSS_16 {
             let t = 0.5 - 0.5 * x;
@@ -144,10 +127,8 @@ fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// Computes the forces on the ground at the left and the right end of a span of ground out of contact. `ends`
-/// contains the contact edges at these ends, and `link` is the force–displacement relation of the span. If an entry
-/// of `ends` is `None`, no contact zone adjoins this end, and the span includes the ground beyond this end of the
-/// `GroundRun`.
+/// Computes the forces on the ground at both ends of an open span with the two-port `link`. At an end `None`, the span
+/// includes the ground beyond this end of the `GroundRun`.
 pub(crate) fn fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -162,8 +143,8 @@ pub(crate) fn fluxes<R: Real>(
     [link.force_left(left, right), link.force_right(left, right)]
 }
 
-/// Computes the forces on open ground at both ends of a span between bonded contact zones. The forces include the
-/// effect of the kinks that the concentrated forces at the edges of the zones cause in the beam.
+/// Computes the forces at both ends of an open span of the bonded beam, with the effect of kinks in the beam at the
+/// edges.
 pub(crate) fn bonded_fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -179,9 +160,8 @@ pub(crate) fn bonded_fluxes<R: Real>(
     }
 }
 
-/// If the concentrated force at the end `point` of a span kinks the beam, returns this end as a point of the
-/// adjacent cell inside the span. Otherwise, returns `point` unchanged. At a corner of the obstacle, `point` is
-/// also unchanged, because the forces of [`end_forces`] already contain the point force of the corner.
+/// If a concentrated force kinks the beam at the end `point` of a span, returns this end in the cell inside the span.
+/// Forces of corners are already part of [`end_forces`], so `point` is kept there.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
@@ -193,8 +173,8 @@ fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     if shears && w.corner(cell.max(other.cell)) == 0.0 { other } else { point }
 }
 
-/// Computes the concentrated forces at the left and right end of a short span from integrals of the pressure π.
-/// Returns `None` if the span is not short or if differences of slopes give the forces with a smaller rounding error.
+/// Computes the forces at both ends of a short span from the pressure. Returns `None` for a longer span, or if
+/// differences of slopes are more accurate.
 pub(crate) fn end_forces<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -217,9 +197,8 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // A span of zero length lies at a node between two candidate contact intervals, at which the ground carries a
-        // point force. Half of this force is assigned to each end of the span. If the force is tensile, the beam leaves
-        // the ground at the node.
+        // A span of zero length carries the point force at its node, half at each end. If this force is tensile, the
+        // span opens.
         let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([half_force; 2]);
     }
@@ -252,16 +231,14 @@ pub(crate) fn end_forces<R: Real>(
     Some(forces)
 }
 
-/// Computes the initial open span around a node between two candidate contact intervals, at which the ground would
-/// carry a tensile point force T. On uniform ground with constant pressure π, the forces at both ends of the span
-/// vanish if the span extends by T/(2π) to each side. The initial span extends half as far, so both end forces are
-/// still tensile. Returns `None` if the computed end forces are not tensile.
+/// Returns an initial open span around a node with a tensile point force, or `None` if its end forces are not tensile.
 pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
         return None;
     }
     let pressure = ends.map(|point| w.obstacle_and_pressure(point)[2]);
+    // On uniform ground, both end forces vanish for twice this reach.
     let reach = -w.corner(b.cell) / (4.0 * pressure[0].max(pressure[1]));
     let [before, after] = [a.cell, b.cell].map(|i| 2.0 * reach / w.mesh.cells[i].length());
     if !(reach > 0.0 && before < 2.0 && after < 2.0) {
@@ -282,8 +259,8 @@ fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     terms.map(|(j, c)| c.value().abs() * (subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 
-/// Computes the displacement of unloaded ground under consecutive parts of the span, each in one cell. The displacement
-/// is 0 at the start of the first part and 1 at the end of the last part. Returns its values at the ends of all parts.
+/// Computes the displacement of unloaded ground at the ends of consecutive parts: 0 at the first end, 1 at the last
+/// end.
 fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned: bool) -> Vec<R> {
     let mut values = vec![R::ZERO];
     let (mut phi, mut flux) = (R::ZERO, R::ONE);
@@ -294,9 +271,8 @@ fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned:
     values.iter().map(|value| *value / phi).collect()
 }
 
-/// Points and weights of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table 25.4).
-/// The rule is exact to degree 31. The product of the power series of a cell and the shape function of the ground
-/// needs this degree.
+/// Positive points and weights of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table
+/// 25.4). A pressure series times a settlement shape needs its degree of 31.
 const GAUSS_16: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),

@@ -36,11 +36,8 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     }
 }
 
-/// Computes a polynomial that has the sign of ψ inside a cell, where ψ is the deflection minus the initial gap and
-/// the free-field settlement. If ψ is only rounding error, the polynomial is 0, and the cell is in contact.
-///
-/// The zeros of ψ at rigid supports are divided out: one at a pinned support, two at a fixed support. Otherwise,
-/// rounding error could move these zeros into the cell and cause a false lift-off zone there.
+/// Returns a polynomial with the sign of the obstacle in a cell, or 0 if the obstacle is rounding error. Zeros at rigid
+/// supports are divided out, because rounding error could move them into the cell.
 fn signed(w: &Deflection, cell: usize) -> Coefficients {
     if is_rounding_error(w, cell) {
         return Coefficients::zeros(1);
@@ -57,10 +54,8 @@ fn signed(w: &Deflection, cell: usize) -> Coefficients {
     obstacle
 }
 
-/// Whether ψ is only rounding error on a whole cell, where ψ is the deflection minus the initial gap and the free-field
-/// settlement. Far from all loads, the beam can lie on the unloaded ground in this way. Each sign change of this rounding
-/// error would be a contact edge, and each step of the iteration would divide the cell further. If ψ is exactly zero, it
-/// has no sign changes.
+/// Whether the obstacle is rounding error, but not zero, on a whole cell. Sign changes of rounding error would be false
+/// contact edges. See *Contact without pressure* in `docs/methods.md`.
 pub(super) fn is_rounding_error(w: &Deflection, cell: usize) -> bool {
     let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
     let obstacle = size(&w.obstacle(cell));

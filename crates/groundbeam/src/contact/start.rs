@@ -5,9 +5,8 @@ use crate::contact::stopping::SHORT;
 use crate::element::operator::wave_number;
 use crate::model::{FoundationSegment, Model};
 
-/// Returns the initial guess of the contact zones. For a short beam, it is the whole length. For a long beam, it
-/// consists of the intervals of nodes that are in contact in a nodal solve. Returns `None` if the nodal solve is
-/// not possible or has no node in contact.
+/// Returns the initial guess: the whole length of a short beam, or the contact intervals of a nodal solve if it
+/// succeeds.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if is_short(model) {
         Some(vec![[0.0, model.beam.length]])

@@ -17,8 +17,8 @@ pub(crate) struct ContactState {
     /// [`TERMS`] polynomial coefficients of the deflection w for each cell, in the local coordinate s of the
     /// cell (−1 ≤ s ≤ 1).
     pub coefficients: Vec<f64>,
-    /// [`TERMS`] polynomial coefficients of the rotation φ of the cross-sections for each cell, in the local
-    /// coordinate s of the cell (−1 ≤ s ≤ 1); empty if the beam has no shear deformation.
+    /// [`TERMS`] coefficients per cell of the rotation φ of the cross-sections, in the local coordinate s; empty
+    /// without shear deformation.
     pub rotation: Vec<f64>,
     /// Contact zones on the mesh. If the ground acts at nodes, every node of a zone is in contact.
     pub zones: Vec<MeshZone>,
@@ -26,8 +26,8 @@ pub(crate) struct ContactState {
     /// Number of elements of the discrete problem (5.5) of Kikuchi's paper, in which the ground acts only at nodes;
     /// `None` if the ground pressure is distributed.
     pub nodal_elements: Option<usize>,
-    /// Ground surface and point forces of a problem with ground forces at the nodes. `None` if the ground pressure is
-    /// distributed; the surface is then computed from the deflection and `zones`.
+    /// Ground surface and point forces if the ground acts at nodes; otherwise `None`, because the deflection and
+    /// `zones` determine them.
     pub surface: Option<Surface>,
     pub edge_error: EdgeError,
 }

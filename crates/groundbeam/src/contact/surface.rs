@@ -215,10 +215,8 @@ fn halved(
     halved([middle, to], short, halvings - 1, cuts);
 }
 
-/// Whether the contact force between beam and ground can be concentrated at a point. It can be concentrated at the
-/// ends of the beam, where the stiffness of the shear layer jumps, at corners of the initial gap, at point forces on
-/// the ground, at hinges, and at kinks of a beam with shear deformation. At all other positions, the ground leaves
-/// the beam tangentially.
+/// Whether a contact force can be concentrated at a point: an end of the beam, a jump of the shear layer, a corner of
+/// the gap, a force on the ground, a hinge, or a kink of a beam with shear deformation.
 pub(crate) fn can_carry<R: Real>(mesh: &Mesh<R>, point: BeamPoint) -> bool {
     let node = match point.s {
         -1.0 => point.cell,

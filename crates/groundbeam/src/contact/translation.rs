@@ -1,8 +1,7 @@
 //! Solves the contact problem relative to a rigid translation of the beam, so that small deformations keep their digits.
 //!
-//! The stiffness matrix of some elements multiplies differences of end deflections. If the beam translates far and deforms
-//! little, these differences lose digits. The contact problem for w − δ, with a constant δ, is the contact problem of a
-//! model whose initial gap and support settlements are smaller by δ.
+//! The initial gap and the support settlements become smaller by the translation. See *A large translation* in
+//! `docs/methods.md`.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -15,8 +14,8 @@ use crate::model::{GapPoint, Model};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::tolerance::GAP;
 
-/// Solves the contact problem once more, relative to the deflection δ at the middle of the shortest cell of `found`.
-/// Short cells lose most digits. Returns `None` if the solution fails.
+/// Solves the contact problem again, relative to the deflection of the shortest cell, because short cells lose most
+/// digits.
 pub(crate) fn from_solution(
     model: &Model,
     found: &ContactState,

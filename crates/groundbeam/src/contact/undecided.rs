@@ -1,9 +1,7 @@
 //! Tests whether two contact sets that belong to the same deflection differ only by rounding error.
 //!
-//! At the end of Newton's method, the contact edges move only by rounding error. Two trial contact sets for the
-//! same deflection can then still differ on short intervals. On these intervals, the distance between beam and
-//! ground is as small as the rounding error of the deflection. The deflection then does not determine whether beam
-//! and ground touch.
+//! On short intervals, the distance between beam and ground can be as small as the rounding error of the deflection.
+//! The deflection then does not determine whether beam and ground touch.
 
 use crate::contact::intervals::{Interval, covers, differences, positions};
 use crate::contact::state::ContactState;
@@ -18,10 +16,8 @@ use crate::numeric::polynomial::value;
 /// and ground is computed at the ends of these intervals.
 const INTERVALS: usize = 8;
 
-/// Returns whether two contact sets differ only by rounding error. `contact` is the set on which the beam was bonded
-/// to the ground, and `asked` is the contact set that follows from the resulting deflection `found`. On each
-/// interval that belongs to only one of the two contact sets, the distance between beam and ground must be rounding
-/// error.
+/// Returns whether two contact sets differ only where the distance between beam and ground is rounding error: the
+/// bonded set `contact`, and the set `asked` of its deflection `found`.
 pub(crate) fn differ_by_rounding(
     found: &ContactState,
     contact: &[Interval],
@@ -53,9 +49,8 @@ pub(crate) fn differ_by_rounding(
     is_rounding(&found.zones) && is_rounding(asked)
 }
 
-/// Computes the settlement of the ground surface minus the free-field settlement at a position inside a part of a
-/// cell. The part is out of contact, and `half` is half its length. `t` is the distance of the position from the left
-/// end of the part, relative to the length of the part. `ends` contains the values at both ends of the part.
+/// Computes the ground settlement minus the free-field settlement at the relative position `t` in a part of a cell out
+/// of contact, with the half length `half` and the values `ends` at its ends.
 fn surface_at(cell: &Cell, half: f64, ends: [f64; 2], t: f64) -> f64 {
     if cell.shear_layer == 0.0 {
         return 0.0;

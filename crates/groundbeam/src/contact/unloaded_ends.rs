@@ -1,9 +1,7 @@
 //! Computes the equilibrium of a beam with unloaded end parts: parts beyond a free hinge, without loads and supports.
 //!
-//! The contact pressure on an unloaded end part must have no moment about the hinge, so the pressure is zero. The
-//! part rotates until it is clear of the ground, and it is in equilibrium at every slope that is steep enough. The
-//! rest of the beam is solved without the part. On Winkler ground, the part touches the ground over a length that
-//! tends to zero as the slope grows. The solver takes the first trial slope that the certificate confirms.
+//! The contact pressure on an unloaded end part is zero, so its slope is not unique. The solver takes the first trial
+//! slope that the certificate confirms. See *Parts without load* in `docs/methods.md`.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
@@ -29,9 +27,8 @@ pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     (to - from < last).then(|| [nodes[from], nodes[to]])
 }
 
-/// Returns whether the part of the beam between an end and a hinge has no load and no support. If the ground has a
-/// shear layer, no segment with other ground properties may lie under the part. A force or a pinned support at the
-/// hinge is allowed, because it acts on the rest of the beam.
+/// Returns whether no load, no support and, on a shear layer, no ground segment acts between an end of the beam and a
+/// hinge. A force or a pinned support at the hinge is allowed.
 fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let [from, to] = [end.min(hinge), end.max(hinge)];
     let reaches = |ends: [f64; 2]| ends[0] < to && from < ends[1];
@@ -46,8 +43,8 @@ fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let held = model.supports.iter().any(|support| {
         beyond(support.at) || support.at == hinge && support.kind != SupportKind::Pinned
     });
-    // The beam is solved without the end part, as if the ground beyond the hinge had the properties of the ground at
-    // the hinge. This is correct only if no ground segment lies under the end part.
+    // The rest is solved as if the ground beyond the hinge had the properties at the hinge. So no ground segment may
+    // lie under the end part.
     let (_, layer) = model.foundation.largest();
     let changes = layer > 0.0 && model.foundation.segments.iter().any(|s| reaches([s.from, s.to]));
     !(loaded || held || changes)

@@ -1,18 +1,7 @@
 //! Solves the nodal problem by Uzawa's iteration, (5.14)–(5.18) of Kikuchi's paper, or by successive over-relaxation.
 //!
-//! In the problem with nodal pressures (5.5), the pressure p ≥ 0 minimises ½pᵀ(G + C)p plus a linear term, where G is
-//! the flexibility matrix of the ground and C is the flexibility matrix of the beam. The constraints are the
-//! equilibrium conditions (5.20) for the rigid motions that only the ground prevents. The multipliers of these
-//! constraints are the amplitudes of the rigid motions. Each sweep determines the amplitudes for which the new
-//! pressure balances the loads.
-//!
-//! A sweep of (5.17) is a splitting step with the matrix B = R⁻¹ + L, where R is the diagonal matrix of the relaxation
-//! parameters ρᵢ, and L is the part of G below its diagonal. The sweep lowers the energy if B + Bᵀ − (G + C) is
-//! positive definite. This holds if 2/ρᵢ > Gᵢᵢ + |C| for all i, where |C| is the norm of C. An upper bound of |C| is
-//! therefore sufficient to choose the ρᵢ. The iteration converges without any assumption about the nodes in contact.
-//!
-//! G is never formed. Away from the diagonal, the entries of a column of G decrease by a known factor from node to
-//! node. A sweep therefore needs one running sum and costs O(n) for n nodes.
+//! The relaxation parameters follow from a bound of the beam's flexibility, so that the iteration converges. A sweep
+//! costs O(n) operations. See section 9 of `docs/methods.md`.
 
 use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
@@ -93,8 +82,8 @@ pub(crate) fn solve(
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
 
-/// Computes the nodal pressures (5.5) of Kikuchi's paper for the bilateral problem, in which the ground can also pull.
-/// Sets tensile pressures to zero. Uzawa's iteration (5.15) can start from these pressures.
+/// Computes the nodal pressures (5.5) for ground that can also pull, and sets tensile pressures to zero, as a start for
+/// (5.15).
 fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     let mut workspace = Workspace::default();
     workspace.bond(grid);
@@ -105,9 +94,8 @@ fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     }
 }
 
-/// Computes relaxation parameters ρᵢ slightly below the largest values that satisfy 2/ρᵢ > Gᵢᵢ + |C| for all i. Here G
-/// and C are the flexibility matrices of the ground and the beam. `diagonal` contains the Gᵢᵢ, and `flexibility` is a
-/// bound of the norm |C|.
+/// Computes relaxation parameters slightly below 2/(Gᵢᵢ + |C|). `diagonal` has the flexibilities Gᵢᵢ of the ground, and
+/// `flexibility` is a bound of the norm |C| of the beam's flexibility matrix.
 fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f64> {
     let safe = diagonal.iter().map(|g| SAFE * 2.0 / (g + flexibility));
     match relaxation {
@@ -122,8 +110,8 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// Performs one sweep of the iteration (5.17) of Kikuchi's paper. The sweep adds the rigid motion for which the new
-/// pressure satisfies the equilibrium conditions (5.19), in their nodal form (5.20).
+/// Performs one sweep (5.17), with the rigid motion for which the new pressure satisfies the equilibrium conditions
+/// (5.20).
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,
@@ -143,9 +131,8 @@ fn sweep(
     }
     let mut next = vec![0.0; n];
     for _ in 0..MOST_NEWTON {
-        // `ahead` contains the sum Σ_{j < i} Gᵢⱼ pⱼ at node i, with the flexibility matrix G of the ground and the new
-        // pressure p. It also contains the derivatives of this sum with respect to the amplitudes of the two rigid
-        // motions.
+        // Σ_{j < i} Gᵢⱼ pⱼ at node i for the new pressure p, and its derivatives with respect to the amplitudes of both
+        // rigid motions.
         let mut ahead = [0.0; 3];
         let mut balance = beam.wanted;
         let mut slope = [[0.0; 2]; 2];
@@ -188,9 +175,7 @@ fn sweep(
     next
 }
 
-/// Solves `slope`·step = `balance` for the Newton step of the amplitudes of the rigid motions. The matrix `slope` is
-/// singular if fewer than two nodes are in contact. A positive number is then added to its diagonal, and the Newton
-/// steps continue until more nodes are in contact.
+/// Solves `slope`·step = `balance`. With fewer than two nodes in contact, the singular `slope` gets a larger diagonal.
 fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) -> [f64; 2] {
     let [a, b] = *balance;
     if free == 1 {
@@ -207,10 +192,8 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// Computes the relative residual of the contact condition (5.10) of Kikuchi's paper: the largest change of a nodal
-/// pressure in a sweep, divided by the largest pressure before or after the sweep. A small relaxation parameter ρᵢ <
-/// 1/Gᵢᵢ, with the flexibility Gᵢᵢ of the ground at node i, makes the change at this node small. This change is
-/// therefore divided by ρᵢ Gᵢᵢ.
+/// Computes the residual of the contact condition (5.10): the largest change of a nodal pressure, relative to the
+/// largest pressure. Changes that are small due to a small relaxation parameter are scaled up.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = before.iter().chain(next).fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
@@ -308,8 +291,8 @@ impl<'a> FreeBeam<'a> {
         w
     }
 
-    /// Computes a bound of the norm |C| of the flexibility matrix C of the beam. For a beam without supports, all
-    /// entries of C are positive, and the bound is the largest row sum. For other beams, the bound is the trace of C.
+    /// Bounds the norm of the beam's flexibility matrix: by the largest row sum if all entries are positive (no
+    /// supports), otherwise by the trace.
     fn largest_flexibility(&self) -> f64 {
         let mut unloaded = self.chain.clone();
         for node in &mut unloaded.nodes {

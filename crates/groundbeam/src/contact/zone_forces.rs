@@ -27,8 +27,7 @@ pub(crate) fn zone_forces(w: &Deflection, contact: &[Interval], zones: &[MeshZon
     forces
 }
 
-/// Computes the integral of the contact pressure over a zone, plus the concentrated contact forces between the ends of
-/// the zone. Such forces occur at corners of the initial gap, for example.
+/// Integrates the contact pressure over a zone, and adds the concentrated forces inside it, for example at gap corners.
 fn spread_force(w: &Deflection, zone: &MeshZone) -> f64 {
     if zone.from == zone.to {
         return 0.0;

@@ -30,9 +30,8 @@ impl Equilibrium<'_> {
             Read::Edge { zone, side } | Read::EdgeForce { zone, side } => add(end_of(zone, side)),
             Read::Support { number, .. } => add(frame.model.supports[number].at),
         }
-        // The settlement of the ground between two contact zones depends only on w at the edges of the zones. If the
-        // zones are close together, the concentrated contact forces at these edges are computed as integrals over the
-        // ground between the edges. The integrand depends on w at all points between the edges.
+        // Open ground depends on the deflection at the adjacent edges. In a short span, the edge forces depend on it
+        // between the edges too.
         for Span { ends, .. } in &self.spans {
             let at = |end: BeamPoint| cells[end.cell].global(end.s);
             let from = ends[0].map_or(f64::NEG_INFINITY, at);
@@ -57,8 +56,8 @@ impl Equilibrium<'_> {
         readings.iter().flat_map(|reading| self.reads(&reading.of)).collect()
     }
 
-    /// Computes the adjoint displacements of each output. These are the displacements of the beam under loads that equal
-    /// the derivatives of the output with respect to the unknowns. Returns `None` if the beam is a mechanism.
+    /// Computes the adjoint displacements, for which the loads are the derivatives of an output with respect to the
+    /// unknowns.
     pub fn adjoints(&self, readings: &[Reading]) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut linear = Linear::<4>::new(self);
         linear.vary(Vec::new());

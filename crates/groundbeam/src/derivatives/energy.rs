@@ -11,8 +11,7 @@ use crate::numeric::real::Real;
 use crate::solution::fields::Side;
 
 impl<const N: usize> Linear<'_, N> {
-    /// Computes the derivatives of the potential energy with respect to the parameters. This energy is the energy of
-    /// the beam with its axial force, of the ground and of the springs, minus the work of the loads.
+    /// Computes the derivatives of the potential energy of beam, axial force, ground, springs and loads.
     pub fn energy(&self) -> [f64; N] {
         let (mesh, still) = (self.mesh(), self.equilibrium);
         let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect::<Vec<Dual<N>>>();
@@ -40,8 +39,7 @@ impl<const N: usize> Linear<'_, N> {
         }
         energy += (beam_form(mesh, own, own) + ground_work(mesh, self.zones(), &psi, &psi)) * 0.5;
         energy -= work_of_loads(mesh, own);
-        // Without the beam, the load q on the ground causes the free-field settlement u₀. The potential energy of the
-        // ground with the settlement u is the elastic energy for the settlement u − u₀, minus the constant ½∫q u₀ dx.
+        // Without the beam, the load q on the ground causes the settlement u₀ and the energy −½∫q u₀ dx.
         if self.frame.model.has_ground_loads() {
             let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &mesh.cells);
             energy -= self.on_line(work) * 0.5;
@@ -56,8 +54,8 @@ impl<const N: usize> Linear<'_, N> {
         by
     }
 
-    /// Computes the part of the energy that is due to the settlement δ of a support. For a spring with the stiffness
-    /// k, this part is ½k (w − δ)² − ½k w². For a rigid support, it is the work of the reaction.
+    /// Computes the energy due to the settlement δ of a support: ½k (w − δ)² − ½k w² for a spring k under the
+    /// deflection w, or the work of a rigid support's reaction.
     fn settling(&self, number: usize) -> Dual<N> {
         let support = &self.frame.model.supports[number];
         let [spring, _, settlement] = self.numbers_of_support(number);

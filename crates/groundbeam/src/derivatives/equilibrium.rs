@@ -109,8 +109,8 @@ impl<'a> Equilibrium<'a> {
 /// Ground without contact between two contact zones, or between a contact zone and the ground outside the beam.
 #[derive(Debug)]
 pub(super) struct Span<R> {
-    /// Left and right end of the span, each at the edge of a contact zone. An end is `None` if no contact zone follows
-    /// in the `GroundRun`; the span then includes the ground beyond this end of the run.
+    /// Contact edges at the ends of the span; `None` if the span includes the ground beyond this end of the
+    /// `GroundRun`.
     pub ends: [Option<BeamPoint>; 2],
     /// Two-ports of the span. A two-port under the beam is stored with its cell and with the interval of the cell that
     /// it covers.
@@ -140,9 +140,8 @@ impl<R: Real> Span<R> {
     }
 }
 
-/// Computes the power series coefficients of the deflection w on the part `part` of an element. If the beam has shear
-/// deformation, also computes the coefficients of the rotation φ of the cross-sections. `v` contains the four unknowns
-/// of the element.
+/// Computes the power series of the deflection and, with shear deformation, of the rotation φ of the cross-sections on
+/// the part `part` of an element with the unknowns `v`.
 pub(super) fn curves<R: Real>(
     [cell, part]: [&Cell<R>; 2],
     exact: &ExactElement<R>,

@@ -165,9 +165,8 @@ impl<const N: usize> Linear<'_, N> {
         }
     }
 
-    /// Computes μψ' at an end of a contact zone, where ψ is the obstacle and μ the stiffness of the shear layer. If a
-    /// load at this end moves, an imposed jump of w' represents this move in the linearised problem. The result does
-    /// not contain the imposed jump.
+    /// Computes μψ' at an end of a contact zone (obstacle ψ, shear layer μ), without the jump of w' that represents a
+    /// moving load.
     fn flux(&self, point: BeamPoint) -> Dual<N> {
         let x = self.w().position(point);
         let steps = self.moved_at(x, |steps| steps.slope);
@@ -183,8 +182,8 @@ impl<const N: usize> Linear<'_, N> {
             // The edge stays at a zero of the obstacle ψ, so a change δψ moves the edge by −δψ/ψ'.
             return psi.by.map(|by| -by / slope.value);
         }
-        // If a parameter changes while the contact zone is fixed, a concentrated force dA arises at the edge of the
-        // zone. The true edge has no such force: it moves outward by dA/π, where π is the pressure at the edge.
+        // At a fixed edge, a change of a parameter causes a concentrated force dA. The true edge has no such force, and
+        // moves outward by dA/π with the pressure π.
         let outward = if side == Side::Left { -1.0 } else { 1.0 };
         self.force_at_edge(zone, side).by.map(|by| outward * by / pressure.value)
     }

@@ -1,10 +1,7 @@
 //! Builds the linearised problem of a solution: cells, nodes and zones of the beam bonded to the ground on its contact zones.
 //!
-//! If a contact edge moves by a small distance, the energy changes only by a term of third order in this distance,
-//! because no point force acts at the edge and the pressure is finite. To first order, a change of the model therefore
-//! changes w as if beam and ground were bonded on the contact zones and nowhere else. The bonded problem has a small
-//! concentrated force at the edge. This force equals the integral of the pressure over the strip by which the edge
-//! moves.
+//! To first order, the contact edges are fixed, because their moves change the energy only in third order. See *The
+//! linear problem* in `docs/derivatives.md`.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, zone_kind_of};
@@ -166,8 +163,8 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// Returns the contact zones of a solution, with a point contact at each zone end that carries a concentrated force.
-/// The point contact is needed where a shear layer ends beside Winkler ground in contact.
+/// Returns the contact zones, with a point contact at each zone end that carries a concentrated force. A shear layer
+/// may end there.
 fn contact_of(solution: &Solution) -> Vec<Interval> {
     let mut stretches = Vec::with_capacity(solution.contact().len());
     let carries = |x: f64| solution.concentrated_forces().iter().any(|force| force.at == x);

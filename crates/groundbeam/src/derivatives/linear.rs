@@ -1,9 +1,7 @@
 //! Builds the linearised problem of the bonded beam from dual numbers, which contain derivatives.
 //!
-//! In the linear equations for a parameter, the right-hand side is the derivative of the residual with respect to this
-//! parameter at fixed unknowns. In the adjoint equations for an output, the right-hand side is the derivative of the
-//! output with respect to the unknowns at fixed parameters. The stiffness matrix is symmetric, so the derivatives of
-//! the outputs follow either from one solve for each parameter or from one solve for each output.
+//! The stiffness matrix is symmetric, so the derivatives follow from one solve per parameter or from one adjoint solve
+//! per output. See *The linear problem* in `docs/derivatives.md`.
 
 use super::equilibrium::{Equilibrium, Loads, Span, curves};
 use super::frame::Frame;
@@ -36,9 +34,8 @@ pub(super) struct Linear<'a, const N: usize> {
     /// Finer mesh on which w is a power series in each cell, and the range of its cells whose data depend on the
     /// parameters; `None` if w is a power series in each cell of `elements`.
     series: Option<(Mesh<Dual<N>>, Range<usize>)>,
-    /// One entry for each element. If a parameter changes the data of the element, the position of a load at its end,
-    /// or the settlement of a rigid support at its end, the entry is the element with derivatives with respect to the
-    /// parameters. [`Self::vary`] sets all other entries to `None`.
+    /// Elements with derivatives with respect to the parameters. [`Self::vary`] sets `None` for an element that no
+    /// parameter changes or displaces.
     pub exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
     /// The four unknowns of each element, computed from the displacements of its nodes.
     pub shapes: Vec<[Dual<N>; 4]>,
@@ -49,8 +46,8 @@ pub(super) struct Linear<'a, const N: usize> {
     /// Jumps between nodes and element ends: the unknowns of an element minus their values computed from the
     /// displacements of its nodes.
     jumps: Loads<Dual<N>>,
-    /// For each load whose position is a parameter: the index of this parameter, and the derivatives of the moment and
-    /// of the jumps of deflection, rotation, slope and settlement at the load with respect to the position of the load.
+    /// For each load whose position is a parameter: the index of the parameter, and the derivatives of moment and jumps
+    /// at the load.
     moved: Vec<(usize, Steps)>,
 }
 
@@ -116,8 +113,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// Computes the jumps between nodes and element ends. If a load moves, w and φ jump on one side of its node. If a
-    /// rigid support settles, the ends of both elements at the support are displaced, but not the node of the support.
+    /// Computes the jumps between nodes and element ends, at moving loads and at rigid supports that settle.
     fn find_jumps(&mut self) {
         self.jumps.clear();
         for (n, steps) in self.moved.clone() {
@@ -170,8 +166,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         own
     }
 
-    /// Computes the deflection w and the rotation φ in the given `elements`. Also computes the ground displacements and
-    /// the forces on the ground at both ends of each stretch of ground without contact.
+    /// Computes deflection and rotation in the given `elements`, and displacements and forces at the ends of all open
+    /// ground.
     pub fn refresh(&mut self, elements: impl Iterator<Item = usize>) {
         elements.for_each(|i| self.unfold(i));
         (0..self.spans.len()).for_each(|span| self.hold(span));
@@ -194,8 +190,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.exact[i] = Some(exact);
     }
 
-    /// Computes the derivatives of the residual with respect to the parameters, with the unknowns fixed at the
-    /// equilibrium. The elements, the nodes and the ground without contact contribute to them.
+    /// Computes minus the derivatives of the residual with respect to the parameters, at fixed unknowns.
     pub fn loads(&self) -> Loads<Dual<N>> {
         let mut loads = Vec::new();
         for (i, exact) in self.exact.iter().enumerate() {
@@ -238,9 +233,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         std::array::from_fn(|j| force * row[j] + moment * turned[j])
     }
 
-    /// Computes the external force and moment on one end of an element. They come from the loads and springs of its
-    /// node, from a hinge at the node, from the free-field settlement of the ground, and from a load at the node if the
-    /// position of this load is a parameter. The loads and springs of an inner node act on the element on its right.
+    /// Computes the external force and moment on one end of an element, from its node, a hinge, the free field and a
+    /// moving load. Loads and springs of an inner node act on the element on its right.
     pub fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
         let j = i + usize::from(right);
         let (node, cell) = (&self.elements.nodes[j], &self.elements.cells[i]);
@@ -257,9 +251,8 @@ impl<'a, const N: usize> Linear<'a, N> {
             moment += hinge * (if right { after - before } else { before - after });
         }
         if self.frame.touch[i] == ZoneKind::Contact && cell.has_free_field() {
-            // In contact, the equations of the element contain the load q on the ground instead of the free-field
-            // settlement u₀ caused by q, where q = k u₀ − (μu₀′)′. Integration of (μu₀′)′ by parts adds the forces
-            // ±μu₀′ at the ends of the element.
+            // In contact, the element has the load q = k u₀ − (μu₀′)′ on the ground. Integration by parts of (μu₀′)′
+            // adds the end forces ±μu₀′.
             let flux = cell.shear_layer * cell.free_field_at(if right { 1.0 } else { -1.0 })[1];
             force += if right { flux } else { -flux };
         }
@@ -279,8 +272,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         Deflection { mesh: self.mesh(), coefficients: &self.deflection }
     }
 
-    /// Computes the ground displacement minus the free-field settlement, and the force on the ground, at both ends of a
-    /// stretch of ground without contact. `span` is the index of this stretch.
+    /// Computes the ground displacement minus the free field, and the force on the ground, at both ends of an open
+    /// span.
     fn hold(&mut self, span: usize) {
         let Span { ends, whole, .. } = &self.spans[span];
         let w = self.w();
@@ -300,9 +293,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         (span.held, span.fluxes) = (held, fluxes);
     }
 
-    /// Computes the ground settlement at one end of a stretch without contact, minus the settlement of the node at x.
-    /// The value of this difference is 0, but its derivative with respect to the position of a load at this node may
-    /// differ from 0.
+    /// Computes the settlement at one end of open ground minus that of the node at x. The value is 0, but its
+    /// derivative with respect to the position of a load may differ from 0.
     fn drifted(&self, x: f64, end: usize) -> Dual<N> {
         let is_end = |steps: &Steps| usize::from(steps.spot.s > 0.0) == end;
         self.moved_at(x, |steps| if is_end(steps) { steps.drift } else { 0.0 })

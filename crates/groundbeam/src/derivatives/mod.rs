@@ -1,8 +1,6 @@
 //! Computes exact derivatives of results with respect to model data by linearising the contact problem at its solution.
 //!
-//! The equations are generic over the number type, so dual numbers give their derivatives. In the linear problem, the
-//! beam is bonded to the ground on its contact zones. This problem is solved for each parameter or for each output,
-//! whichever are fewer. The derivation is in `docs/derivatives.md`.
+//! The equations are generic over the number type, so dual numbers give their derivatives. See `docs/derivatives.md`.
 
 mod adjoint;
 mod energy;
@@ -50,9 +48,8 @@ pub enum OneSided {
     /// Beam and ground are about to touch or to separate at some position. All derivatives jump at this change of
     /// contact.
     Contact(Nearest),
-    /// The parameter moves a load. The load acts at a hinge, at a jump of the beam's stiffness, or at the
-    /// position of the output, where the load causes a jump of the field or of its slope. The derivative
-    /// holds for a move to the right.
+    /// The derivative holds only for a move of a load to the right. The load acts at a hinge, at a jump of the beam's
+    /// stiffness or at the position of the output.
     Place {
         /// Index of the parameter, from 0.
         parameter: usize,
@@ -135,8 +132,7 @@ impl std::error::Error for NotDifferentiable {}
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
-    /// Computes the derivatives of outputs with respect to parameters, as one gradient for each output. A few outputs and many
-    /// parameters, or a few parameters and many outputs, cost about as much as one solve.
+    /// Computes the derivatives of outputs with respect to parameters, as one gradient for each output.
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, solution::Side};
@@ -155,8 +151,7 @@ impl Solution {
     ///
     /// # Errors
     ///
-    /// [`NotDifferentiable`] if the solution was not computed by [`Method::Exact`] or is not unique, if a parameter or an
-    /// output does not exist, or if μ is a parameter and μ = 0.
+    /// Returns [`NotDifferentiable`] if the solution, an output or a parameter has no derivatives.
     pub fn gradients(
         &self,
         outputs: &[Output],
@@ -179,8 +174,7 @@ impl Solution {
         Ok(readings.iter().zip(rows).map(gradient).collect())
     }
 
-    /// Computes the same derivatives as [`Self::gradients`], but returns one list for each parameter, with the
-    /// derivatives of all outputs.
+    /// Computes the derivatives of [`Self::gradients`], as one list over all outputs for each parameter.
     ///
     /// # Errors
     ///
@@ -197,9 +191,8 @@ impl Solution {
         Ok((0..parameters.len()).map(of).collect())
     }
 
-    /// Finds the nearest change of contact. At a change of contact, a pressure, force, gap, angle or length becomes zero.
-    /// The result is the quantity with the smallest relative margin to zero. The result is `None` if the solution has no
-    /// pressure, force, gap, angle or length that can become zero.
+    /// Finds the nearest change of contact, where a quantity of [`Condition`] becomes zero. Returns `None` if the
+    /// solution has no such quantity.
     ///
     /// # Errors
     ///

@@ -1,9 +1,6 @@
 //! Represents the derivative of a solution with respect to a load's position by a moment and jumps at the node of the load.
 //!
-//! If a load moves to the right by δ, the state on the left of the load extends by the length δ. In the cell on the
-//! right of the load, the deflection w, the rotation φ and the moment M then change by δ times the jumps of their
-//! slopes. Cells and nodes keep their positions, so cell lengths have no derivatives. No cell of length δ is needed
-//! between the load and a support or hinge at its original position.
+//! Cells and nodes keep their positions. See *Positions* in `docs/derivatives.md`.
 
 use super::frame::Frame;
 use super::tangent::{Motion, Moved};
@@ -16,8 +13,7 @@ use crate::solution::fields::Side;
 /// Relative difference below which two stiffnesses count as equal.
 const EQUAL_STIFFNESS: f64 = 1e-9;
 
-/// Derivatives with respect to the position of a load at one end of a cell: derivatives of the moment on this end, and
-/// of the jumps of the deflection w, the rotation φ, the slope w' and the settlement of the ground at this end.
+/// Derivatives of the moment and of the jumps at a cell end, with respect to the position of a load at this end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steps {
     /// End of the cell.
@@ -30,8 +26,8 @@ pub(super) struct Steps {
     /// Derivative of the imposed jump of the slope w' with respect to the position of the load. The jump is w' at the
     /// end of the element minus w' at its node.
     pub slope: f64,
-    /// Derivative of the jump of the ground settlement with respect to the position of the load, for ground without
-    /// contact. The jump is the settlement at the end of the cell minus the settlement at its node.
+    /// Derivative of the jump of the ground settlement with respect to the load's position, out of contact. The jump is
+    /// the settlement at the cell end minus that at its node.
     pub drift: f64,
 }
 
@@ -59,9 +55,8 @@ impl Frame<'_> {
             (Motion::Moment(moment), _) => steps.jump[1] = sign * moment / self.stiffness_at(spot),
             (Motion::MomentPerLength(moment), _) => steps.moment = moment,
             (Motion::Curvature(curvature), _) => steps.jump[1] = sign * curvature,
-            // If the end of a distributed force moves, a point force replaces the force on the strip between the old
-            // and the new end. On a beam with shear deformation, a point force causes a kink of w, but the distributed
-            // force does not. An imposed jump of w' therefore cancels the kink.
+            // A point force represents the moving end of a distributed force. An imposed jump of w' cancels the kink of
+            // w that a point force causes in a beam with shear deformation.
             (Motion::ForcePerLength(force), Some([_, whole])) => {
                 steps.slope = -sign * force / whole
             }
@@ -72,9 +67,8 @@ impl Frame<'_> {
         steps
     }
 
-    /// Returns the shear stiffness S and the sum S + N at the end of a cell. The tension N is the axial force P out of
-    /// contact, and P + μ in contact, with the stiffness μ of the shear layer. Returns `None` if the beam has no shear
-    /// deformation.
+    /// Returns the shear stiffness S and the sum S + N at a cell end, or `None` without shear deformation. In contact,
+    /// the tension N includes the stiffness of the shear layer.
     fn shear_and_total_stiffness(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let shear = value(&cell.beam_shear?, spot.s);
@@ -105,11 +99,8 @@ impl Frame<'_> {
         self.solution.at(x, side).slope + if spot.s > 0.0 { -half } else { half }
     }
 
-    /// Computes the configurational force (Eshelby) on one side of a point force, if a contact edge moves with the
-    /// point force. It is −½(S + P) w'² − ½μ((u' + g₀')² − g₀'²), with the shear stiffness S of the beam, the axial
-    /// force P, the deflection w, the stiffness μ of the shear layer, the ground displacement u and the initial gap g₀.
-    /// The derivative of the energy with respect to the position of the point force is the configurational force on the
-    /// left side minus that on the right side.
+    /// Computes Eshelby's configurational force on one side of a point force with which a contact edge moves. Its left
+    /// value minus its right value is the derivative of the energy with respect to the position.
     pub fn released(&self, x: f64, side: Side) -> f64 {
         let spot = self.spot(x, side);
         let cell = &self.mesh.cells[spot.cell];
@@ -135,8 +126,8 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether the derivatives for a move of a load to the left and to the right differ. They can differ at a hinge,
-    /// at a jump of the beam's stiffness, and for a point force at an end of the beam.
+    /// Whether the derivatives for a move of a load to the left and to the right differ, for example at a hinge or at a
+    /// jump of the stiffness.
     pub fn differs_by_side(&self, moved: &Moved) -> bool {
         let x = moved.x;
         let is_force = matches!(moved.what, Motion::Force(_));
@@ -166,8 +157,8 @@ impl Frame<'_> {
         jumps || turns && self.mesh.nodes[self.mesh.node_at(x)].hinge.is_some()
     }
 
-    /// A moving load causes a jump of a field, or of one of its derivatives with respect to x. Returns the order of the
-    /// lowest derivative that jumps: 0 if the field itself jumps, negative if even an integral of the field jumps.
+    /// Returns the order of the lowest derivative of a field with respect to x that jumps at a moving load: 0 for the
+    /// field itself, negative for its integrals.
     fn order_of_jump(&self, field: Field, moved: &Moved) -> i32 {
         let shears = self.shears_at(moved.x).contains(&true);
         // Orders of the lowest derivatives with respect to x that jump at the load, for the deflection w and for the

@@ -11,7 +11,7 @@ impl Parameter {
                              load[0].from, load[0].to, load[0].start, load[0].end; support[0].settlement, \
                              support[0].spring, support[0].rotational_spring, hinge[0], gap[0]";
 
-    /// Returns the parameter with the given name, or `None` if no parameter has this name.
+    /// Returns the parameter with the given name, or `None` for an unknown name.
     ///
     /// ```
     /// use groundbeam::derivatives::{Domain, Parameter, Property};
@@ -79,7 +79,7 @@ impl Output {
     pub const NAMES: &str = "largest moment, smallest gap and so on, edge[0].left, edge[0].right, end_force.left, \
                              end_force.right, support[0].force, support[0].moment, potential_energy";
 
-    /// Returns the output with the given name, or `None` if no output has this name. Fields at a position have no name.
+    /// Returns the output with the given name, or `None` for an unknown name. Fields at a position have no name.
     ///
     /// ```
     /// use groundbeam::{Field, derivatives::Output, solution::Side};

@@ -26,8 +26,8 @@ pub enum Output {
     SupportForce(usize),
     /// Moment of a support \[N·m\], positive if it rotates the right side of the beam down.
     SupportMoment(usize),
-    /// The potential energy \[N·m\], which the solution minimises: the elastic energy of the beam, the ground and the
-    /// springs, plus ½∫P w'² dx for the axial force P, minus the work of the loads.
+    /// The potential energy \[N·m\]: the elastic energy plus ½∫P w'² dx of the axial force P, minus the work of the
+    /// loads.
     PotentialEnergy,
 }
 
@@ -177,9 +177,8 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // A support, a hinge or another load may stand at the position of the load. If the load moves away from
-                // this position, the field takes new values between the position and the load, and one of them may be
-                // the extreme value.
+                // If the load moves away from a support, a hinge or another load, the field has new values between
+                // them. One of these values may be the extreme value.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

@@ -229,9 +229,8 @@ fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     (is_single && course.is_constant()).then(|| course.start())
 }
 
-/// Returns a parameter of a load, such as its size or its position, as two values. The values differ only for the size
-/// of a distributed load with different end values. Returns `None` if the load does not have this parameter.
-/// Distributed loads on the ground and the positions of loads on the ground are not parameters.
+/// Returns a parameter of a load as two values, which differ only for the size of a varying distributed load. Returns
+/// `None` if the load does not have the parameter.
 fn of_load(load: &Load, number: LoadNumber) -> Option<[f64; 2]> {
     Some(match (load.extent, number) {
         (Extent::Point { size, .. }, LoadNumber::Size) => [size; 2],

@@ -1,8 +1,7 @@
 //! Computes the derivatives of a model's input values with respect to one parameter.
 //!
-//! The derivatives are stored as a model with the same parts at the same positions. Each number of this model is the
-//! derivative of the same number in the original model. Positions are fixed. A moving load is represented by a load
-//! or a step at its position ([`Moved`]).
+//! The derivatives are stored as a model with the same parts. A load or a step at a fixed position represents a moving
+//! load ([`Moved`]).
 
 use super::parameter::{Domain, LoadNumber, Parameter, Property, change, courses, set_load};
 use crate::model::{Action, Extent, Load, Model, SupportKind};
@@ -29,8 +28,8 @@ pub(super) struct Moved {
 /// Kind and size of the load that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Motion {
-    /// A point force. If it moves by δ, M on its right changes by δ times the jump of V at the force. If the beam has
-    /// shear deformation, w on its right changes by δ times the jump of w' at the force.
+    /// A point force. If it moves by δ, M on its right changes by δ times the jump of V. With shear deformation, w on
+    /// its right changes by δ times the jump of w'.
     Force(f64),
     /// A point moment. If it moves by δ, the rotation φ on its right changes by δ times the jump of φ′ at the moment.
     Moment(f64),

@@ -63,9 +63,8 @@ pub struct Nearest {
 /// rounding error.
 const ROUNDING_MINIMUM: f64 = 1e-8;
 
-/// Returns the indices of the local minima of the gap. Each entry of `places` is a position and the gap at this
-/// position. A minimum must be smaller by more than `least` than some gap on its left and some gap on its right. For a
-/// minimum at an end of the beam, one side is sufficient.
+/// Returns the indices of the local minima in a list of positions and gaps. The gap must rise by more than `least` on
+/// both sides, or on one side at a beam end.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
     let count = places.len();
     let mut before = vec![f64::NEG_INFINITY; count];
@@ -99,8 +98,8 @@ impl Solution {
         all.into_iter().min_by(|a, b| a.margin.total_cmp(&b.margin))
     }
 
-    /// Appends to `all` the minima of the pressure within contact zones, the pressure at contact edges on a shear
-    /// layer, and the angle between beam and ground at contact edges on Winkler ground.
+    /// Appends the minima of the pressure in contact zones, the pressures at edges on a shear layer and the angles at
+    /// edges on Winkler ground.
     fn pressures(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let largest = self.range(Quantity::Pressure).max.value;
         if largest <= 0.0 {
@@ -127,9 +126,8 @@ impl Solution {
                 }
             }
         }
-        // At a contact edge on Winkler ground, the margin is the angle between beam and ground, divided by p/(k l).
-        // This is the slope of a settlement p/k over the length l of the beam, where p is the largest pressure and k
-        // the subgrade modulus at the edge.
+        // At an edge on Winkler ground, the margin is the angle between beam and ground, divided by p/(k l) for the
+        // largest pressure p, the subgrade modulus k and the beam's length l.
         let l = self.model().beam.length;
         for zone in 0..frame.zones.len() {
             for side in [Side::Left, Side::Right] {

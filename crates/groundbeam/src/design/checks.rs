@@ -14,16 +14,15 @@ use crate::solution::solution::Solution;
 pub struct Limits {
     /// The allowable bearing pressure \[Pa\], and the width of the bearing area \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
-    /// The resistance of the ground per unit of effective area \[Pa\], and the width of the effective area \[m\]. The
-    /// resistance is the design resistance r_d in ultimate limit states, and an allowable pressure in allowable stress
-    /// design.
+    /// The design resistance per effective area \[Pa\], and the width of this area \[m\]. In allowable stress design,
+    /// the resistance is an allowable pressure.
     pub bearing_resistance: Option<(f64, f64)>,
     /// The limit of the downward deflection \[m\].
     pub settlement: Option<f64>,
     /// The limit of the lifted fraction of the beam's length.
     pub lifted_share: Option<f64>,
-    /// The limit of the distance between the load resultant and the middle of the beam, relative to the length of the
-    /// beam. The edge of the kern is at 1/6. Beyond 1/3, EN 1997-1, 6.5.4 requires special precautions.
+    /// The limit of the eccentricity of the load resultant, relative to the beam's length. The edge of the kern is at
+    /// 1/6. Beyond 1/3, EN 1997-1, 6.5.4 requires special precautions.
     pub eccentricity: Option<f64>,
     /// The required minimum of the overturning factor: the factor on all overturning loads at which the beam tips.
     pub overturning: Option<f64>,
@@ -37,9 +36,8 @@ pub struct Limits {
 pub enum Checked {
     /// The largest contact pressure, averaged over the width \[Pa\]. Concentrated contact forces are excluded.
     BearingPressure,
-    /// The contact force V \[N\], compared with the resistance r_d B' L' (Meyerhof; EN 1997-1, 6.5.2 and annex D).
-    /// r_d is the resistance per unit of area, B' the effective width and L' = l - 2 e the effective length. V and
-    /// its eccentricity e include the contact pressure and the concentrated contact forces.
+    /// The contact force \[N\], including concentrated forces, compared with the resistance of the effective area
+    /// (Meyerhof; EN 1997-1, 6.5.2 and annex D).
     BearingResistance,
     /// The largest downward deflection \[m\].
     Settlement,
@@ -47,8 +45,8 @@ pub enum Checked {
     LiftedShare,
     /// The eccentricity |x − l/2|/l of the load resultant, which acts at the position x.
     Eccentricity,
-    /// The work of the stabilising loads divided by the work of the overturning loads, in the tipping mode with the
-    /// smallest ratio. Without supports, the work of the loads is their moment about an end of the beam.
+    /// The work of the stabilising loads divided by that of the overturning loads, in the tipping mode with the
+    /// smallest ratio.
     Overturning,
 }
 
@@ -99,12 +97,8 @@ impl Checked {
         self as usize
     }
 
-    /// Returns the default limit states of the check. Bearing resistance and eccentricity are judged in ultimate
-    /// limit states (EN 1997-1, 2.4.7.1). Overturning is judged in the limit state of equilibrium (EN 1990,
-    /// 6.4.1(1)a). Deformations (EN 1997-1, 2.4.8) and allowable values are judged in serviceability limit states.
-    /// All checks except overturning and bearing resistance are also judged in allowable stress design. Bearing
-    /// resistance is excluded from allowable stress design, because an allowable pressure differs from a design
-    /// resistance.
+    /// Returns the default limit states of the check (EN 1990, 6.4.1(1)a; EN 1997-1, 2.4.7.1 and 2.4.8). Bearing
+    /// resistance is not judged in allowable stress design, because an allowable pressure is not a design resistance.
     pub const fn limit_states(self) -> LimitStates {
         use LimitState::{AllowableStress, Characteristic, Equ, Frequent, QuasiPermanent, StrGeo};
         LimitStates::of(match self {
@@ -237,9 +231,8 @@ impl Limits {
     }
 }
 
-/// Computes the contact force under the beam and the position of this force. The position is `None` if the force is
-/// zero. Force and position follow from the equilibrium of the loads, the reactions of supports and the moment N
-/// (w(l) - w(0)) of the axial force N.
+/// Computes the contact force under the beam and its position, which is `None` for a zero force. Both follow from the
+/// equilibrium of loads, support reactions and axial force.
 fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     let model = solution.model();
     let l = model.beam.length;
@@ -259,10 +252,8 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     }
 }
 
-/// Computes the factor on all overturning loads at which a beam tips. The factor is infinite if no load lifts the
-/// beam. A tipping mode is a rigid motion that lifts a part of the beam and that no support prevents. The factor of a
-/// mode is the work of the holding loads divided by the work of the lifting loads. The result is the smallest factor
-/// of all modes.
+/// Computes the factor on all overturning loads at which the beam tips. It is the smallest ratio of holding to lifting
+/// work over all tipping modes, and infinite if no load lifts the beam.
 pub fn overturning(model: &Model) -> f64 {
     let mechanism = Mechanism::of(model);
     let groups = mechanism.free_groups();

@@ -1,12 +1,8 @@
 //! Defines the stiffness matrix and the load vector of one element in terms of its deformations.
 //!
-//! The four unknowns of an element are the deflection w and the rotation θ of its left end, and the *deformation*. The
-//! deformation is the displacement (w, θ) of the right end relative to the rigid motion of the left end. The rotation
-//! θ is the rotation of the sections, which equals w' if the beam has no shear deformation.
-//!
-//! The bending energy depends on the deformation alone, and the energy of the ground depends mainly on the rigid
-//! motion. Therefore the two stiffnesses are never added. For an element of length h, the sum of EI/h³ and k h would
-//! lose digits as the mesh is refined.
+//! The unknowns are the deflection w and the section rotation θ of the left end, and the *deformation*: the motion of
+//! the right end relative to the rigid motion of the left end. Bending depends on the deformation alone. See section 6
+//! of `docs/methods.md`.
 
 use crate::numeric::real::{Real, sum};
 
@@ -17,9 +13,7 @@ pub(crate) enum Basis {
     /// motion of the left end.
     #[default]
     Deformation,
-    /// Deflection and rotation of the left end, and those of the right end. This basis is used for elements with
-    /// boundary layers, whose stiffness is small for rotations of the ends and large for a difference of the end
-    /// deflections. It is also used for quiet elements, which are so long that their ends do not affect each other.
+    /// Deflections and rotations of both ends. Elements with boundary layers and quiet elements have this basis.
     Ends,
 }
 

@@ -1,9 +1,7 @@
 //! Computes boundary layers of elements whose tension dominates bending, from the larger root of the characteristic equation.
 //!
-//! With the tension N, the subgrade κ, the load F and the moment load G, the characteristic equation of EI w⁗ − N w″ +
-//! κ w = F − G' has the roots ±r₁ and ±r₂. If r₂ is much larger than r₁, the solution w is a sum of a slow part and
-//! boundary layers. The slow part solves w″ − r₁² w = −(F − G')/(EI r₂²) and is a power series. The boundary layers
-//! are cosh(r₂x) and sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of any width.
+//! The deflection is a slow part, which is a power series, plus the layers cosh(r₂x) and sinh(r₂x) of the larger root
+//! r₂. So an element can be as long as the slow wave. See *Boundary layers* in `docs/methods.md`.
 
 use crate::element::element::LONGEST_SERIES;
 use crate::element::operator::Operator;
@@ -28,9 +26,8 @@ const APART: f64 = 100.0;
 const LAYER: f64 = 40.0;
 
 impl<R: Real> Layers<R> {
-    /// Computes the roots of the characteristic equation of an element whose solution has boundary layers. Returns
-    /// `None` if one power series is sufficient for the whole length, if the roots are close or not real, or if the
-    /// element has variable coefficients or shear deformation.
+    /// Returns the characteristic roots of an element with separate boundary layers, otherwise `None`. Variable
+    /// coefficients and shear deformation exclude such layers.
     pub fn of(operator: &Operator<R>, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.subgrade / operator.stiffness;
@@ -44,10 +41,8 @@ impl<R: Real> Layers<R> {
         wanted.then_some(layers)
     }
 
-    /// Computes the slowly varying parts of three solutions as power series in the local coordinate s. `PARITY` is 0
-    /// for even and 1 for odd solutions. The first solution is homogeneous without boundary layer, and the second is a
-    /// boundary layer, whose slowly varying part is zero. The third is the particular solution for the load EI · `push`
-    /// if it is even, and EI · `push` · s if it is odd.
+    /// Computes the slow parts of three even (`PARITY` 0) or odd (1) solutions: a homogeneous solution, a boundary
+    /// layer (zero), and the solution for the load EI · `push`, times s if odd.
     pub(super) fn slow<const PARITY: usize>(self, a: f64, push: R) -> [[R; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
         let series = |first: R, load: R| {
@@ -88,15 +83,13 @@ impl<R: Real> Layers<R> {
         cuts
     }
 
-    /// Adds the boundary layers of an element to the coefficients `c` of w on the part `piece` of this element. `x`
-    /// contains the two ends of the element, and `heights` the amplitudes of the boundary layers at these ends.
+    /// Adds the boundary layers of an element with the ends `x` to the coefficients `c` of w on its part `piece`.
+    /// `heights` contains the amplitudes of the layers.
     pub fn add(&self, x: [f64; 2], heights: [R; 2], piece: [f64; 2], c: &mut [R]) {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
-            // The boundary layer of an end of the element is omitted where the distance from this end exceeds
-            // `LAYER`/r₂, because the layer is smaller than the rounding error there. r₂ is the larger root of the
-            // characteristic equation.
+            // Beyond the distance `LAYER`/`fast` from its end, a boundary layer is below rounding error.
             if height == 0.0 || self.fast.value() * distance > LAYER {
                 continue;
             }
@@ -118,9 +111,8 @@ mod tests {
 
     #[test]
     fn an_element_with_boundary_layers_equals_many_short_elements() {
-        // The characteristic roots of this operator are r₁ ≈ 0.03 and r₂ ≈ 30. The element is cut into pieces with
-        // short power series. The test checks the continuity between the pieces, the differential equation and the end
-        // forces.
+        // The characteristic roots are about 0.03 and 30. The test checks the continuity between the pieces, the
+        // differential equation and the end forces.
         let op = Operator {
             stiffness: 1.0,
             tension: 900.0,

@@ -1,9 +1,8 @@
 //! Computes the stiffness and the load of one element of the beam by (2.11) and (5.1) of Kikuchi's paper.
 //!
-//! An element is the part of the beam between two nodes. Its deflection solves (2.11) exactly. Cells with constant
-//! bending stiffness, tension and subgrade use the [closed form](uniform). All other cells, and beams with shear
-//! deformation, use the [series](series). A long loaded stretch in contact has one long element in its middle, the
-//! [quiet element](quiet), where the waves from the ends of the stretch have decayed.
+//! The deflection of an element solves (2.11) exactly. Uniform cells have a [closed form](uniform). Other cells and
+//! beams with shear deformation have a [series](series). A long loaded stretch has a [quiet element](quiet) in its
+//! middle.
 
 pub(crate) mod element;
 pub(crate) mod layers;
@@ -26,9 +25,8 @@ pub(crate) fn cut_equally(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     x.extend(cell.cuts(parts(operator, cell.length())));
 }
 
-/// Appends the positions at which a cell is cut into elements. A long loaded cell in contact gets one long element in
-/// its middle, where the waves from the ends of the cell have decayed, and equal elements on both sides of it. Every
-/// other cell is cut into equal elements.
+/// Appends the positions at which a cell is cut into elements. A long loaded cell in contact gets one long quiet
+/// element in its middle and equal elements on both sides.
 pub(crate) fn cut(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     let Some(depth) = quiet::depth(operator, cell.length()) else {
         return cut_equally(operator, cell, x);
@@ -67,8 +65,7 @@ pub(crate) struct ExactElement<R = f64> {
 #[derive(Debug, Clone)]
 enum Functions<R> {
     Uniform(Uniform<R>),
-    /// Power series coefficients of the deflection w in a quiet element, which is so long that the waves from its ends
-    /// are neglected. They do not depend on the deflections and rotations of the ends.
+    /// Power series coefficients of w in a quiet element. They do not depend on the motion of its ends.
     Quiet([R; TERMS]),
     Series(Box<Series<R>>),
 }
@@ -79,8 +76,7 @@ impl<R: Real> ExactElement<R> {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
-        // If `parts` counts more than two equal elements in this length, the element is a quiet element: a long element
-        // in the middle of a stretch, where the waves from both ends of the stretch have decayed.
+        // Only a quiet element is longer than two equal elements.
         if parts(operator, length) > 2 {
             let (element, series) = quiet::element(operator, length);
             return ExactElement { element, functions: Functions::Quiet(series) };
@@ -127,8 +123,8 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// Computes the deflection w from the four unknowns of the element. Returns the coefficients of its power series in
-    /// the local coordinate s, and the amplitudes of the boundary layers at the left and the right end.
+    /// Computes w from the four unknowns: its power series coefficients in the local coordinate, and the amplitudes of
+    /// the boundary layers at both ends.
     pub fn unfold(&self, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         match &self.functions {
             Functions::Uniform(uniform) => {

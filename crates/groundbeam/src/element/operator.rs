@@ -16,8 +16,7 @@ pub(crate) enum ZoneKind {
     Open,
 }
 
-/// The coefficients of the beam equation (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact: the
-/// bending stiffness EI, the tension N, the subgrade κ, the load F and the moment load G.
+/// The coefficients of the beam equation (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Operator<R = f64> {
     /// Bending stiffness EI.
@@ -29,14 +28,13 @@ pub(crate) struct Operator<R = f64> {
     /// Load F at both ends of the cell: the load f on the beam. In contact, F also contains the load on the ground and
     /// k g₀, with the subgrade modulus k and the initial gap g₀.
     pub load: [R; 2],
-    /// Moment load G at both ends of the cell: the moment load on the beam. In contact, G also contains μ g₀′, with the
-    /// stiffness μ of the shear layer and the slope g₀′ of the initial gap.
+    /// Moment load G at both ends of the cell. In contact, it includes μ g₀′ of the shear layer under the slope g₀′ of
+    /// the initial gap.
     pub moment_load: [R; 2],
     /// Moment EI κ₀ of an imposed curvature κ₀ at both ends of the cell.
     pub imposed_moments: [R; 2],
-    /// All coefficients as polynomials, if the bending stiffness EI, the tension N or the subgrade modulus κ varies
-    /// along the cell or the beam has shear deformation. The other fields then contain the values of the coefficients
-    /// at the middle and at the ends of the cell.
+    /// All coefficients as polynomials, if EI, N or κ varies or the beam has shear deformation. The other fields then
+    /// contain the values at the middle and the ends of the cell.
     pub polynomials: Option<Polynomials<R>>,
 }
 
@@ -71,17 +69,16 @@ impl<R: Real> Operator<R> {
         all.all(|c| c == c.value()) && self.polynomials.as_ref().is_none_or(Polynomials::is_still)
     }
 
-    /// Whether the sum of the shear stiffness and the tension is positive. Otherwise the beam buckles in arbitrarily
-    /// short waves. The result is also `false` if the waves of the deflection are too short for the elements.
+    /// Whether the shear stiffness plus the tension is positive and the waves are long enough for elements. If the sum
+    /// is not positive, the beam buckles in arbitrarily short waves.
     pub fn bears_shear(&self, length: f64) -> bool {
         let shears = self.polynomials.as_ref().filter(|all| all.shear.is_some());
         let shortest = MOST_COMPRESSION.sqrt();
         shears.is_none_or(|all| all.resists_shear() && self.wave_number() * length <= shortest)
     }
 
-    /// Upper bound of |r| \[1/m\] for all roots r of the characteristic equation EI r⁴ − N r² + κ = 0, with the tension
-    /// N and the subgrade κ. For a beam with the shear stiffness S, the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² +
-    /// κ = 0. If the coefficients vary, the bound follows from their values at the ends and in the middle of the cell.
+    /// Upper bound of |r| \[1/m\] for all roots r of EI r⁴ − N r² + κ = 0 or, with shear deformation, of (3) in
+    /// `docs/shear.md`. Variable coefficients are evaluated at the ends and in the middle.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
             None => [self.stiffness.value(), self.tension.value().abs(), self.subgrade.value()],
@@ -124,8 +121,8 @@ pub(crate) struct Polynomials<R = f64> {
 }
 
 impl<R: Real> Polynomials<R> {
-    /// Computes the coefficients of the beam equation on a cell as polynomials in the local coordinate s. Returns
-    /// `None` if the beam and the ground in contact are uniform and the beam has no shear deformation.
+    /// Computes the coefficients as polynomials. Returns `None` for a uniform beam without shear deformation, out of
+    /// contact or on uniform ground.
     pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Option<Self> {
         let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
@@ -180,9 +177,8 @@ impl<R: Real> Polynomials<R> {
         })
     }
 
-    /// Returns the bending stiffness, the magnitude of the tension and the subgrade modulus of a uniform cell without
-    /// shear deformation. The wave number of this uniform cell is an upper bound of the wave numbers at the ends and in
-    /// the middle of the actual cell.
+    /// Returns the bending stiffness, tension and subgrade modulus of a uniform cell without shear deformation. Its
+    /// wave number bounds those at the ends and in the middle of the given cell.
     fn extremes(&self) -> [f64; 3] {
         let at = |c: &[R]| ENDS_AND_MIDDLE.map(|s| value(c, s).value());
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);

@@ -1,13 +1,7 @@
 //! Computes the element of a long loaded stretch in contact, where w is a particular solution of the beam equation.
 //!
-//! The elements on both sides of this quiet element contain the waves from the ends of the stretch. The waves decay
-//! like e^(−λx), where λ is the smallest positive real part of the roots of the characteristic equation EI r⁴ − N r² +
-//! κ = 0 for the tension N and the subgrade κ. At a distance of 50/λ, the waves are below rounding error, so the two
-//! ends of the quiet element are decoupled.
-//!
-//! The particular solution is w_p = (F − G′)/κ, with the load F and the distributed moment load G. At the left end, the
-//! difference v = w − w_p solves v″ + σ v′ + π v = 0, where σ is the sum and π the product of the two roots with
-//! positive real part. The force and the moment due to v at this end are EI (σπ v + π v′) and EI (π v + σ v′).
+//! The waves from the ends of the stretch have decayed to rounding error, so the two ends of this element are
+//! decoupled. See *Long loaded stretches* in `docs/methods.md`.
 
 use crate::element::element::{Basis, Element};
 use crate::element::operator::Operator;
@@ -18,10 +12,8 @@ use crate::numeric::real::{Real, sum as sum_of};
 /// Length over which the waves from an end decay to rounding error, as a multiple of 1/λ for the decay rate λ.
 const DEPTH: f64 = 50.0;
 
-/// Smallest length of a stretch that gets a quiet element, as a multiple of the length over which the waves from the
-/// ends of the stretch decay. A quiet element is one long element in the middle of the stretch, where the waves have
-/// decayed. Shorter stretches get short elements only, because the error of a bending moment grows with the length of
-/// an element.
+/// Smallest length of a stretch with a quiet element, as a multiple of the [`depth`] of the waves from its ends. The
+/// limit exists because the error of a moment grows with the length of an element.
 const SHORTEST: f64 = 40.0;
 
 /// Computes the length over which the waves from the ends of a stretch decay. Returns `None` unless the stretch is
@@ -34,8 +26,8 @@ pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64>
     }
     let [sum, product] = roots(operator).map(R::value);
     let apart = sum * sum - 4.0 * product;
-    // Of the two characteristic roots with positive real part, the decay rate is the smaller one if they are real, and
-    // their common real part otherwise. The smaller root is computed without cancellation.
+    // The decay rate is the smallest positive real part of a root. If the roots are real, this formula avoids
+    // cancellation.
     let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
     let depth = DEPTH / decay;
     (length > SHORTEST * depth).then_some(depth)
@@ -56,8 +48,7 @@ fn particular<R: Real>(operator: &Operator<R>, length: f64) -> [R; 2] {
     operator.load.map(|load| (load - rise) / operator.subgrade)
 }
 
-/// Computes the quiet element: a long element so far from the ends of its stretch that the waves from these ends have
-/// decayed. Also returns the power series coefficients of its deflection, which is a particular solution of the beam
+/// Computes the quiet element, and the power series coefficients of its deflection, a particular solution of the beam
 /// equation.
 pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<R>, [R; TERMS]) {
     let ends = particular(operator, length);

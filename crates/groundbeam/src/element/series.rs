@@ -1,22 +1,9 @@
 //! Computes the element with varying coefficients, with or without shear deformation, as power series of w, φ, m and τ.
 //!
-//! The variable of the series is s, with x = x_middle + a s and half the length a of the element. w is the
-//! deflection, φ the rotation of the sections, m = EI (φ′ − κ₀) the moment and τ = Q + N w′ − G the vertical force.
-//! Here κ₀ is the imposed curvature, Q = S γ the shear force, S the shear stiffness, γ the shear strain and N the
-//! tension. G = μ g₀′ is the moment load that the shear layer exerts where the initial gap g₀ has a slope. The
-//! functions w, φ, m and τ solve (2.11) with (4.1) of Kikuchi's paper as a system of first order:
-//!
-//! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
-//!
-//! Here g is the moment load on the beam, κ the subgrade modulus and F the load. A beam without shear deformation has
-//! γ = 0 and Q = τ + G − N φ. The moment load g does work on φ, and G does work on w′. EI, S, N, κ and the loads are
-//! polynomials of s, so each coefficient of the series follows from the preceding coefficients.
-//!
-//! The series converge up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten half
-//! lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
-//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four homogeneous
-//! solutions and one particular solution. Rigid motions, deformations and γ are computed separately, so no stiffness is
-//! a difference of large numbers.
+//! The deflection w, the rotation φ, the moment m and the vertical force τ solve (2.11) with (4.1) of Kikuchi's paper
+//! as a system of first order. Section 7 of `docs/methods.md` lists the equations. The series converge if
+//! [`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth) and
+//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth) hold.
 
 use crate::element::element::{Basis, Element};
 use crate::element::operator::Polynomials;
@@ -99,11 +86,10 @@ struct Solutions<R> {
     moment: [Five<R>; TERMS],
     /// Vertical force τ.
     force: [Five<R>; TERMS],
-    /// Upward force per length κ w − F on the beam: the ground reaction κ w minus the load F, with the subgrade modulus
-    /// κ. [`Self::forces`] computes its virtual work in rigid motions of the element.
+    /// Upward force per length κ w − F on the beam: the ground reaction minus the load.
     pressure: [Five<R>; TERMS],
-    /// Distributed moment N w′ − G − g on the beam. N is the tension, g the moment load on the beam, and G = μ g₀′ the
-    /// moment load that the shear layer exerts where the initial gap has the slope g₀′.
+    /// Distributed moment N w′ − G − g on the beam, from the tension N, the shear layer under a sloped gap (G) and the
+    /// moment load g.
     turning: [Five<R>; TERMS],
 }
 
@@ -163,10 +149,8 @@ impl<R: Real> Solutions<R> {
         all
     }
 
-    /// Sets the values of the five solutions in the middle of the element. There, the first homogeneous solution has
-    /// only a deflection, the second only a rotation, and the third only a moment. The fourth has a shear force, and a
-    /// rotation such that w′ = 0. The particular solution has a moment and a shear force such that the rotation φ has
-    /// φ′ = φ″ = 0. Constant imposed curvatures and moment loads then do not bend the beam.
+    /// Sets the values of the five solutions in the middle of the element. The particular solution has φ′ = φ″ = 0, so
+    /// constant imposed curvatures and moment loads do not bend the beam.
     fn start(&mut self, of: &Polynomials<R>, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
@@ -175,16 +159,15 @@ impl<R: Real> Solutions<R> {
         let bent = -stiffness * kappa;
         let balance = (stiffness * rise + of.stiffness[1] * kappa) / a - of.moment_load[0];
         let zero = R::ZERO;
+        // The homogeneous solutions start with a deflection, a rotation, a moment, and a shear force with w′ = 0.
         self.deflection[0] = [R::ONE, zero, zero, zero, zero];
         self.rotation[0] = [zero, R::from(1.0 / a), zero, turned, zero];
         self.moment[0] = [zero, zero, stiffness / (a * a), zero, bent];
         self.force[0] = [zero, tension / a, zero, shear_force, balance - of.slope_load[0]];
     }
 
-    /// Computes the element's four unknowns in each of the four homogeneous solutions and in the particular solution.
-    /// The unknowns are the deflection and the rotation of the left end, and the displacement and the rotation of the
-    /// right end relative to the rigid motion of the left end. The relative displacement is the integral of
-    /// γ + φ − φ_left along the element, with the shear strain γ, the rotation φ and its value φ_left at the left end.
+    /// Computes the element's four unknowns in each of the five solutions. The relative displacement of the right end
+    /// is the integral of the shear strain and of the rotation relative to the left end.
     fn ends(&self, a: f64) -> [[R; 4]; 5] {
         let mut ends = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -205,10 +188,8 @@ impl<R: Real> Solutions<R> {
         ends
     }
 
-    /// Returns the forces that are work-conjugate to the element's four unknowns, in each of the four homogeneous
-    /// solutions and in the particular solution. The first two are the virtual work of ground reaction, tension and
-    /// loads in a unit rigid translation and in a unit rigid rotation about the left end. The last two are the vertical
-    /// force and the moment at the right end.
+    /// Returns the forces that are work-conjugate to the four unknowns, in each of the five solutions: the virtual work
+    /// in two rigid motions, then the vertical force and the moment at the right end.
     fn forces(&self, a: f64) -> [[R; 4]; 5] {
         let mut forces = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -229,10 +210,8 @@ impl<R: Real> Solutions<R> {
     }
 }
 
-/// Computes the amplitudes of the four homogeneous solutions whose sum has the values `wanted` of the element's four
-/// unknowns. The last two unknowns are the displacement and the rotation of the right end relative to the rigid motion
-/// of the left end. They depend almost only on the third and the fourth solution, so the amplitudes of these two
-/// solutions are eliminated first.
+/// Computes the amplitudes of the four homogeneous solutions for the values `wanted` of the unknowns. The last two
+/// amplitudes are eliminated first, because the deformation depends almost only on them.
 fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     let solve = |m: [[R; 2]; 2], r: [R; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];

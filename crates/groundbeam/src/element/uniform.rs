@@ -1,18 +1,8 @@
 //! Computes the exact element with constant data, from solutions of EI w⁗ − N w″ + κ w = F − G', (2.11) of Kikuchi's paper.
 //!
-//! N is the tension, κ the subgrade modulus (zero out of contact), F the load and G the moment load. Let a be
-//! half the length of the element and x = x_middle + a s. For the power series w = Σ cⱼ sʲ, the equation
-//! becomes the recurrence
-//!
-//! (j+4)(j+3)(j+2)(j+1) c_{j+4} = α (j+2)(j+1) c_{j+2} − β c_j + ρ_j,
-//! α = N a²/EI, β = κ a⁴/EI, ρ = (F − G') a⁴/EI.
-//!
-//! The series converges like 1/j!, for real, double and complex roots r of EI r⁴ − N r² + κ = 0. Even and odd
-//! j are decoupled, so the element consists of two problems of two unknowns. No stiffness is a difference of
-//! large numbers.
-//!
-//! If tension dominates bending, the roots lie far apart. Then w is the sum of a slowly varying part, which
-//! is again a power series, and [boundary layers](crate::element::layers).
+//! N, κ, F and G are those of [`Operator`]. *Exact elements* in `docs/methods.md` has the recurrence for the power
+//! series of w. Even and odd powers are decoupled. If tension dominates bending,
+//! [boundary layers](crate::element::layers) are added.
 
 use crate::element::element::{Basis, Element};
 use crate::element::layers::Layers;
@@ -31,14 +21,11 @@ pub(crate) struct Uniform<R = f64> {
 /// The even or the odd solutions of an element: two homogeneous solutions and one particular solution.
 #[derive(Debug, Clone, Copy)]
 struct Half<R> {
-    /// Power series coefficients of the two homogeneous solutions and of the particular solution. Only the even powers
-    /// are stored for even solutions, and only the odd powers for odd solutions. A homogeneous solution that is a
-    /// boundary layer has zero coefficients, because it is computed from exponential functions.
+    /// Power series coefficients of the two homogeneous solutions and of the particular solution, for the even or the
+    /// odd powers alone. Those of a boundary layer are zero.
     series: [[R; TERMS / 2]; 3],
-    /// Two boundary values of each of the two homogeneous solutions and of the particular solution. For even
-    /// solutions, these are the mean deflection of the two ends and half their relative rotation. For odd solutions,
-    /// these are δ and a·θ − δ. Here δ is half the difference of the end deflections, a is half the length of the
-    /// element, and θ is the mean rotation of the ends.
+    /// Two boundary values of each solution. Even: the mean deflection of the ends and half their relative rotation.
+    /// Odd: half the difference δ of the end deflections, and a·θ − δ for the half length a and the mean rotation θ.
     boundary: [[R; 2]; 3],
     /// Two boundary forces of each of the two homogeneous solutions and of the particular solution. They are
     /// work-conjugate to the boundary values.
@@ -86,8 +73,7 @@ impl<R: Real> Uniform<R> {
             }
         };
 
-        // The boundary values of odd solutions are δ and a·θ − δ. Here δ is half the difference of the end
-        // deflections, a is half the length of the element, and θ is the mean rotation of the ends.
+        // The boundary values of odd solutions are defined at `Half::boundary`.
         let solve_odd = |c1, c3, rho| series::<1, R>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [
@@ -124,9 +110,8 @@ impl<R: Real> Uniform<R> {
         (element, Uniform { layers, halves: [even, odd] })
     }
 
-    /// Returns the power series coefficients of the deflection w(s) for the element's four unknowns `v`, and the
-    /// amplitudes of the boundary layers at the left and the right end. The coordinate s is −1 at the left end and 1 at
-    /// the right end.
+    /// Returns the power series coefficients of w(s) for the element's four unknowns `v`, and the amplitudes of the
+    /// boundary layers at the left and the right end.
     pub fn unfold(&self, basis: Basis, length: f64, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         let [even_half, odd_half] = &self.halves;
         let a = 0.5 * length;
@@ -135,10 +120,8 @@ impl<R: Real> Uniform<R> {
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [R::ZERO; 2]) };
-        // Let r = `fast` be the decay rate and a half the length of the element, and let x be measured from the
-        // middle. Then cosh(rx)/cosh(ra) is the sum of a boundary layer at the right end and one at the left end,
-        // divided by 1 + exp(−2ra). Likewise, sinh(rx)/sinh(ra) is the difference of these layers, divided by
-        // 1 − exp(−2ra).
+        // cosh(rx)/cosh(ra) is the sum of the layers at both ends, divided by 1 + exp(−2ra). sinh(rx)/sinh(ra) is the
+        // right layer minus the left one, divided by 1 − exp(−2ra). r is `fast`, a half the length.
         let decay = exp(-layers.fast * length);
         let (cosh, sinh) = (cosh / (decay + 1.0), sinh / (R::ONE - decay));
         // An amplitude of a boundary layer below `rounding` is rounding error and is set to zero.
@@ -284,8 +267,8 @@ fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
     }
 }
 
-/// Adds to the element's load the virtual work of the moment EI κ₀ of an imposed curvature κ₀. The moment is
-/// linear between its values `moments` at both ends. It does no work in a rigid motion.
+/// Adds to the element's load the virtual work of the moment EI κ₀ of an imposed curvature κ₀. The moment is linear
+/// between its end values `moments`.
 pub(super) fn bend<R: Real>(element: &mut Element<R>, moments: [R; 2]) {
     if moments == [R::ZERO; 2] {
         return;
@@ -350,8 +333,7 @@ mod tests {
     /// textbooks.
     fn by_ends(e: &Element) -> [[f64; 4]; 4] {
         let h = e.length;
-        // The matrix maps the deflections w and slopes θ of both ends of an element of length h to its four unknowns.
-        // These are w_l and θ_l at the left end, and the deformations w_r − w_l − h θ_l and θ_r − θ_l.
+        // The matrix maps the deflections and slopes of both ends to the four unknowns of the element.
         let c = [
             [1.0, 0.0, 0.0, 0.0],
             [0.0, 1.0, 0.0, 0.0],
@@ -435,8 +417,8 @@ mod tests {
 
     #[test]
     fn short_elements_keep_the_digits_of_bending_and_ground() {
-        // For EI = k = 1 and a short length h, the stiffness is h for a rigid translation, h²/2 for the
-        // coupling of rigid translation and rotation, and 12/h³ for the relative displacement of the ends.
+        // For EI = k = 1 and a short length h, the stiffness is h for a translation, h²/2 for its coupling with
+        // rotation, and 12/h³ for the relative displacement.
         for h in [1e-2, 1e-5, 1e-8] {
             let e = ExactElement::new(&operator(0.0, 1.0), h).element;
             // For the element length h, the exact stiffnesses differ from h, h²/2 and 12/h³ by a relative error of

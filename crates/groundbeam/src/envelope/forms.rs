@@ -100,8 +100,8 @@ fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     sum(&pressed, &rescale(&piece.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
-/// Returns the ground displacement that the contact pressure on the adjacent ground causes, as a polynomial between two
-/// points of a piece out of contact. The displacement due to loads on the ground is not included.
+/// Returns the ground displacement due to contact pressure on the adjacent ground, as a polynomial between two points
+/// of a piece out of contact.
 fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     if !piece.settlement.is_empty() {
         return rescale(&piece.settlement, 0.5 * (a + b), 0.5 * (b - a));
@@ -111,8 +111,8 @@ fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     }
     let (k, mu) = (piece.cell.subgrade, piece.cell.shear_layer);
     let half = 0.5 * (b - a) * piece.half;
-    // Ground out of contact is cut into short pieces near its ends. A long piece is therefore far from the
-    // ends, and its displacement due to the contact pressure is zero to rounding error.
+    // Ground out of contact is cut into short pieces near its ends. So the displacement of a long piece is zero to
+    // rounding error.
     if 2.0 * half > 1.5 * link::PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }

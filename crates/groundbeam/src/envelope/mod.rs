@@ -8,8 +8,8 @@ use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
-/// If the values of two solutions differ by less than this fraction of the largest value of the field, the difference
-/// may be rounding error. The solution that comes first in the list then governs.
+/// Difference of two solutions that may be rounding error, as a fraction of the largest value of the field. Below it,
+/// the first solution in the list governs.
 const ROUNDING_DIFFERENCE: f64 = 1e-12;
 
 /// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts
@@ -19,11 +19,8 @@ const SHORTEST_RANGE: f64 = 1e-6;
 /// largest values of the field with the opposite sign.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
-/// The envelope of several solutions of one beam.
-///
-/// Superposition is not valid with lift-off, so each combination of loads is solved separately. The values
-/// for the design of a section are the envelope of the solutions. Solutions are identified by their index from
-/// 0, in the order given.
+/// The envelope of several solutions of one beam, which are identified by their index in the given order. With
+/// lift-off, each combination of loads needs its own solution, because superposition is not valid.
 ///
 /// ```
 /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, envelope::Envelope};
@@ -57,8 +54,7 @@ pub struct Envelope<'a> {
 pub struct Governing {
     /// The smallest or largest value, and its position \[m\].
     pub extreme: Extreme,
-    /// Index of the solution that attains the extreme. If several solutions attain it up to rounding error,
-    /// this is the first of them. The position of the extreme is that of this solution.
+    /// Index of the solution that attains the extreme, the first one if several attain it up to rounding error.
     pub by: usize,
 }
 
@@ -104,10 +100,8 @@ struct GovernedPart {
 }
 
 impl<'a> Envelope<'a> {
-    /// Returns the envelope of several solutions.
-    ///
-    /// If the beams have different lengths, the values beyond the end of a shorter beam are the values at its
-    /// end. Without solutions every value is zero.
+    /// Returns the envelope of several solutions. Beyond the end of a shorter beam, its end values count. Without
+    /// solutions every value is zero.
     pub fn of(solutions: impl IntoIterator<Item = &'a Solution>) -> Self {
         let solutions: Vec<&Solution> = solutions.into_iter().collect();
         let ranges: Vec<ByField<Range>> = solutions.iter().map(|s| s.ranges()).collect();
@@ -173,12 +167,8 @@ impl<'a> Envelope<'a> {
         governing(each, self.rounding(field))
     }
 
-    /// Positions at which the governing solution changes, from left to right.
-    ///
-    /// Each solution consists of pieces with closed forms. Between two neighbouring ends of pieces, the
-    /// changes are the roots of the differences between the closed forms. The roots are computed from the
-    /// coefficients of these forms, without sampling. A change can also lie at an end of a piece, where a
-    /// field jumps.
+    /// Positions at which the governing solution changes, from left to right. They are roots of differences between
+    /// closed forms, or jumps of the field.
     pub fn changes(&self, field: Field) -> Vec<Change> {
         let forms = Forms::of(&self.solutions, field);
         let rounding = self.rounding(field);
@@ -207,9 +197,8 @@ impl<'a> Envelope<'a> {
         changes
     }
 
-    /// Appends a part to the parts on its left. A short part is merged with its neighbour if the governing
-    /// solutions of the two parts differ only by rounding error on the short part. Example: at a free end the
-    /// moments of all solutions are zero, so rounding error decides which one is the largest.
+    /// Appends a part. A short part is merged with its neighbour if their solutions differ only by rounding error
+    /// there, as the zero moments at a free end do.
     fn lengthen(&self, runs: &mut Vec<GovernedPart>, next: GovernedPart, field: Field) {
         let Some(last) = runs.last_mut() else { return runs.push(next) };
         let is_nothing = |run: &GovernedPart, other: usize| {
@@ -230,9 +219,8 @@ impl<'a> Envelope<'a> {
         }
     }
 
-    /// Returns the positions at which the envelope is listed: the ends of `even` equal steps, the positions of loads,
-    /// supports, piece ends, contact edges and field extremes in every solution, and the positions at which the
-    /// governing solution of a field changes.
+    /// Returns the positions at which the envelope is listed: the ends of `even` equal steps, the stations of every
+    /// solution, and the changes of the governing solution.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let Some(first) = self.solutions.first() else { return Vec::new() };
         let mut x = first.stations(even);

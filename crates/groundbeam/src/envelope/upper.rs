@@ -30,8 +30,8 @@ pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     parts
 }
 
-/// Divides a part at the points where its polynomial crosses the polynomial `by`. Passes every resulting piece to
-/// `push`, with the index of the polynomial that is larger on this piece.
+/// Divides a part where its polynomial crosses the polynomial `by`. Passes every piece to `push` with the index of its
+/// larger polynomial.
 fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push: impl FnMut(Part)) {
     let rise = difference(&curves[by], &curves[part.by]);
     let whole = part.from == -1.0 && part.to == 1.0;
@@ -42,8 +42,8 @@ fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push:
     else {
         return push(part);
     };
-    // `constant + spread` is an upper bound of the difference between the polynomial `by` and the polynomial of the
-    // part. If this bound is at most the rounding error, the part keeps its polynomial.
+    // `constant + spread` is an upper bound of the difference of the two polynomials. If the bound is at most
+    // `rounding`, the part keeps its polynomial.
     if constant + spread <= rounding {
         return push(part);
     }

@@ -1,12 +1,8 @@
 //! Follows the path of equilibria under increasing compression, from the equilibrium without compression.
 //!
-//! Let Φ(w) be the minimum energy of beam and ground for a given deflection w of the beam. Φ is continuously
-//! differentiable. At an equilibrium, the second variation of Φ is that of the energy of a beam *bonded* to the
-//! ground in the contact zones, because a move of a contact edge changes the energy only to third order. A
-//! [bonded solve](crate::contact::bonded) is therefore a Newton step for the minimum of Φ. The pivots of its
-//! equations show whether the second variation is positive. As long as the second variation is positive, the
-//! equilibria under increasing compression form one path. The path of stable equilibria ends at a limit point,
-//! where the path turns back, or at a bifurcation.
+//! A [bonded solve](crate::contact::bonded) is a Newton step for the minimum of the energy. Its pivots show whether the
+//! second variation is positive. The path of stable equilibria ends at a limit point or at a bifurcation. See
+//! *Compression* in `docs/existence.md`.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -32,14 +28,14 @@ const LAST: f64 = 1e-10;
 const NEWTON_STEPS: usize = 10;
 /// Maximum number of changes of the set of active supports at one value of the compression.
 const SUPPORT_CHANGES: usize = 10;
-/// Limits on the move of the contact edges in a Newton step, relative to the beam's length. A move below `STILL`
-/// is rounding error. A move below `ACCEPTED_MOVE` is accepted if it is at least a quarter of the previous
-/// move.
+/// A move of the contact edges in a Newton step below this fraction of the beam's length is rounding error.
 const STILL: f64 = 1e-13;
+/// A move of the contact edges below this fraction of the length is accepted if it is at least a quarter of the
+/// previous one.
 const ACCEPTED_MOVE: f64 = 1e-9;
-/// Limits on the distance between the contact edges of two equilibria, relative to the beam's length. Below
-/// `RETURNED` the two equilibria are the same. Below `NEXT` they are neighbours on the path.
+/// Two equilibria are the same if their contact edges differ by at most this fraction of the beam's length.
 const RETURNED: f64 = 1e-7;
+/// Two equilibria are neighbours on the path if their contact edges differ by at most this fraction of the length.
 const NEXT: f64 = 1e-3;
 
 /// A stable equilibrium on the path of equilibria under increasing compression.
@@ -131,8 +127,8 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     EquilibriumPath { wanted: found, last, end }
 }
 
-/// Returns the initial guess at the next compression. Its contact edges are extrapolated from the last three equilibria,
-/// or along the secant of the last two. `before` contains the two equilibria before `last`.
+/// Returns the initial guess at the next compression, with edges extrapolated from the last three or two equilibria.
+/// `before` contains the two equilibria before `last`.
 fn predicted(
     before: &[Option<PathPoint>; 2],
     last: &PathPoint,
@@ -151,11 +147,8 @@ fn predicted(
     PathPoint { contact: edges, ..last.clone() }
 }
 
-/// Extrapolates the contact edges from three equilibria to the given `compression`. Near a limit point, the
-/// compression is approximately a quadratic function of the position of a contact edge. So the compression and all
-/// edges are computed as quadratic functions of the position of the edge that moved most. Returns `None` if this edge
-/// has turned back, if `compression` is above the maximum of its quadratic function, if the number of contact zones
-/// changed, or if two zones would meet.
+/// Extrapolates the contact edges to `compression`, as quadratic functions of the position of the edge that moved most.
+/// Near a limit point, the compression is such a function too. Returns `None` if no valid zones result.
 fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Interval>> {
     let [older, newer, last] = points.map(|point| point.contact.as_flattened());
     if older.len() != last.len() || newer.len() != last.len() {
@@ -189,9 +182,8 @@ fn parabola(points: [&PathPoint; 3], compression: f64, l: f64) -> Option<Vec<Int
     is_valid.then(|| edges.chunks(2).map(|ends| [ends[0], ends[1]]).collect())
 }
 
-/// Returns the next equilibrium on the path. To exclude a jump to another path, Newton's method must lead from the next
-/// equilibrium back to `last`. This check is omitted if `last` has no compression, or if both equilibria have the same
-/// active supports and their contact edges differ by at most [`NEXT`].
+/// Returns the next equilibrium on the path. To exclude another path, Newton's method must lead from it back to `last`,
+/// unless both are neighbours by [`NEXT`] or `last` has no compression.
 fn next(
     model: &Model,
     places: &[f64],
@@ -212,8 +204,8 @@ fn next(
     if same { Ok(next) } else { Err(PathEnd::NotConverged) }
 }
 
-/// Computes the equilibrium by Newton steps from the contact zones of the neighbouring equilibrium `near`.
-/// Returns an error if the second variation is not positive in one of the steps.
+/// Computes the equilibrium by Newton steps from the contact zones of `near`. Returns an error if a second variation is
+/// not positive or the steps do not converge.
 fn settled(
     model: &Model,
     places: &[f64],

@@ -1,6 +1,6 @@
 //! Computes buckling loads of the beam without ground and of the beam bonded to the ground in given contact zones.
 //!
-//! Below the buckling load of the beam without ground, the energy is convex, whatever the contact zones are.
+//! Below the buckling load without ground, the energy is convex for all contact zones.
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
@@ -15,16 +15,12 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// Let N₀ be the compression that removes the shear stiffness of the beam. The search for a buckling load ends below
-/// N₀, at this fraction of the distance between N₀ and the model's own compression. Closer to N₀, the beam buckles in
-/// shorter waves, and a solve needs more elements.
+/// The search for a buckling load ends below the compression that removes the shear stiffness, at this fraction of its
+/// distance from the model's compression. Closer to it, a solve needs more elements.
 const BELOW_FOLDING: f64 = 1e-8;
 
-/// Returns the buckling load of the beam of a valid model on its supports, without ground \[N\]. The value is a
-/// lower bound, accurate to twelve digits. It is infinite if the beam does not buckle.
-///
-/// Below this load the energy of bending, springs and compression is positive definite. The energy is positive
-/// definite if and only if all pivots are positive in the elimination of the unknowns.
+/// Returns the buckling load \[N\] of a valid model without its ground. It is a lower bound, accurate to twelve digits,
+/// and infinite if the beam does not buckle.
 pub fn own_buckling_load(model: &Model) -> f64 {
     unsupported_buckling_load(model, &Cancel::default())
 }
@@ -35,10 +31,8 @@ fn unsupported_buckling_load(model: &Model, cancel: &Cancel) -> f64 {
     least_unstable(model, f64::INFINITY, is_stable)
 }
 
-/// Returns a lower bound of the second variation of the energy, relative to the second variation without
-/// compression. The bound is valid for all contact zones. It is 1 + P/P_cr with the axial force P < 0 and the
-/// buckling load P_cr of the beam without ground, and 1 without compression. Returns `None` if the energy is not
-/// convex.
+/// Returns a lower bound of the second variation of the energy, relative to that without compression: 1 minus the
+/// compression divided by the buckling load without ground. Returns `None` if the energy is not convex.
 pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     let axial = model.beam.axial_force;
     if axial >= 0.0 {
@@ -53,9 +47,8 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// Returns the buckling load of the beam bonded to the ground on given intervals \[N\]. The value is a lower bound,
-/// accurate to twelve digits. If the compression removes the shear stiffness of the beam, it buckles in very short
-/// waves. Then the buckling load minus the model's own compression is accurate to eight digits.
+/// Returns the buckling load \[N\] of the beam bonded to the ground on given intervals, a lower bound accurate to
+/// twelve digits. If the shear stiffness vanishes first, the load minus the model's compression has eight digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     let touch = zone_kind_of(contact);
     let has_shear_stiffness =
@@ -143,9 +136,8 @@ mod tests {
 
     #[test]
     fn eulers_four_columns() {
-        // The buckling loads P of Euler's four columns satisfy P l²/EI = π²/4, π², 20.190728556426629… and
-        // 4π² (Timoshenko and Gere, Theory of Elastic Stability). The third number is the square of the
-        // smallest positive root of tan z = z.
+        // Euler's four columns have P l²/EI = π²/4, π², 20.190728556426629… and 4π² (Timoshenko and Gere, Theory of
+        // Elastic Stability). The third number is z² for the first root z > 0 of tan z = z.
         let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
         close(load(&[Support::fixed(0.0)]), PI * PI / 4.0);
         close(load(&[Support::pinned(0.0), Support::pinned(2.0)]), PI * PI);
@@ -168,12 +160,10 @@ mod tests {
         }
     }
 
-    /// A cantilever of length a supports a nearly rigid bar of length b through a pin. If the tip of the
-    /// cantilever deflects by w, the inclined bar exerts the lateral force P w/b on the tip.
+    /// A cantilever supports a nearly rigid bar through a pin. The inclined bar exerts a lateral force on the tip.
     #[test]
     fn a_cantilever_under_a_pinned_bar() {
-        // A rigid bar of length b is hinged to the tip of a cantilever of length a. The far end of the bar is pinned.
-        // The system buckles under the compression P if tan z = z (1 + b/a), with z = a √(P/EI).
+        // For a cantilever of length a and a rigid bar of length b, tan z = z (1 + b/a) with z = a √(P/EI).
         let (a, b) = (1.0, 0.5);
         let model = Model::new(
             Beam::uniform(a + b, 2.0).with_segment(a, a + b, 2e9),

@@ -1,8 +1,7 @@
 //! Finds the stable equilibrium next to the unloaded state, under compression that the beam bears only with the ground's help.
 //!
-//! The ground prevents buckling only while the beam is in contact with it. The energy is not convex, and has no
-//! minimum if the supports permit the beam to rise. The result is therefore the equilibrium under the given
-//! compression on the path that starts without compression ([`branch`]), if the path reaches this compression.
+//! The energy is not convex. The result is the equilibrium on the path that starts without compression
+//! ([`branch`](crate::equilibrium::branch)). See *Compression* in `docs/existence.md`.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -28,9 +27,8 @@ const BELOW_BUCKLING: f64 = 1e-12;
 /// Number of points per cell at which a mode is evaluated.
 const MODE_POINTS: usize = 16;
 
-/// Checks a model in compression whose energy is not convex, and returns the verdict on existence. Follows the path of
-/// equilibria from zero compression. If the path reaches the compression of the model, the local equilibrium is
-/// returned too.
+/// Returns the verdict on a model in compression whose energy is not convex. If the path from zero compression reaches
+/// the model's compression, the local equilibrium is returned too.
 pub(crate) fn check(
     model: &Model,
     cancel: &Cancel,
@@ -101,14 +99,12 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
     Buckling { critical_compression, at, left, right, work }
 }
 
-/// Returns three properties of the buckling mode of the beam bonded to the ground on given intervals: the position of
-/// its largest absolute value, its values at both ends of the beam, and the work of the loads in the mode. The mode is
-/// scaled to −1 (upward) at the position of its largest absolute value.
-///
-/// The mode is the deflection under an auxiliary load. Close to its buckling load, a beam deflects in the shape of its
-/// buckling mode under any load that is not orthogonal to the mode.
+/// Returns the position of the largest value of the buckling mode, its values at both ends of the beam, and the work of
+/// the loads in it. The largest value is scaled to −1 (upward).
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = bonded_buckling_load(model, contact, cancel);
+    // Close to its buckling load, a beam deflects in its buckling mode under any load that is not orthogonal to the
+    // mode.
     let mut nearly = compressed(model, load * (1.0 - BELOW_BUCKLING));
     for corner in &mut nearly.gap {
         corner.value = 0.0;
@@ -148,9 +144,8 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
 /// The result of the checks before the solve.
 pub(crate) struct Assessment {
     pub existence: Existence,
-    /// Lower bound of the second variation of the energy, relative to the second variation without compression.
-    /// It is 1 + P/P_cr with the axial force P < 0, and 1 without compression. P_cr is the buckling load without
-    /// ground or, for a local equilibrium, with the ground in contact.
+    /// Lower bound of the second variation of the energy, relative to that without compression. The ground is included
+    /// only for a local equilibrium.
     pub stability: f64,
     /// The contact and the active supports of a local equilibrium.
     pub local: Option<PathPoint>,

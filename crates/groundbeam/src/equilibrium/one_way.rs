@@ -1,24 +1,8 @@
 //! Finds the set of active one-way supports by solving models with fixed sets of active supports.
 //!
-//! A rigid support that only pushes up requires w ≤ 0 and a reaction R ≥ 0 with R w = 0. A hold-down requires
-//! the same conditions with opposite signs. For an elastic support, the clearance between the beam and its
-//! spring replaces w. All of these are the conditions for a minimum of a convex energy under inequality
-//! constraints. The active-set method for quadratic programs finds this minimum (Nocedal and Wright,
-//! *Numerical Optimization*, 2nd ed., section 16.5):
-//!
-//! 1. Solve beam and ground with the active supports, as if these were two-way.
-//! 2. On the straight path from the previous deflection to the new one, stop where the beam first meets an
-//!    inactive support. This support becomes active. Go to 1.
-//! 3. Otherwise, if an active support has a force of the wrong sign, it becomes inactive. Go to 1.
-//! 4. Otherwise this is the solution: all conditions hold, and they are sufficient.
-//!
-//! The energy never increases, because it is convex along the path and the end of the path is its minimum for
-//! the active supports. Whenever step 3 occurs again with other supports, the energy has strictly decreased. So
-//! no set occurs twice, and the number of sets is finite. Step 2 repeats at most as often as there are
-//! supports.
-//!
-//! If no equilibrium exists on the active supports, the path is the rigid motion that proves this. The path
-//! ends at a hold-down, unless no equilibrium exists on all supports together.
+//! The active-set method for quadratic programs minimises the convex energy (Nocedal and Wright, *Numerical
+//! Optimization*, 2nd ed., section 16.5). Its steps, and the reason why it ends, are under *One-way supports* in
+//! `docs/methods.md`.
 
 use crate::existence::verdict::{Existence, Verdict};
 use crate::model::{Model, Support};
@@ -29,16 +13,15 @@ use crate::solution::solution::Solution;
 
 /// Maximum number of solves. The limit ends cycles that rounding error causes.
 const MOST_SOLVES: usize = 1000;
-/// Up to this number of solves, the support with the largest force of the wrong sign becomes inactive. In later
-/// solves, the first support with a force of the wrong sign becomes inactive, which ends cycles of steps of
-/// zero length.
+/// After this number of solves, the first support with a force of the wrong sign becomes inactive instead of the worst
+/// one. This is Bland's rule against cycles of steps of zero length.
 const WORST_FIRST_SOLVES: usize = 50;
 /// A force below this fraction of the sum of all reactions counts as zero. A clearance below this fraction of the
 /// largest deflection counts as zero too.
 const FORCE_ROUNDING: f64 = 1e-13;
 
-/// Solves a model with one-way supports by a method for models without one-way supports. Returns the solution
-/// with its active supports, and the number of solves. The solution is missing if the search does not end.
+/// Solves a model with one-way supports, by solves with fixed active supports. The result has no solution if the search
+/// finds none.
 pub(crate) fn solve<E>(
     model: &Model,
     mut solve: impl FnMut(&Model) -> Result<Outcome, E>,
@@ -122,8 +105,8 @@ pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64
     (model.supports.iter().map(clearance).collect(), size)
 }
 
-/// Returns the force of each support in its permitted direction, and the sum of the absolute values of all
-/// reactions \[N\]. The force of an inactive support is 0. `candidate` is the solution on the active supports.
+/// Returns the force of each support in its permitted direction, and the sum of all absolute reactions \[N\].
+/// `candidate` must be the solution on the active supports `acts`.
 pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Vec<f64>, f64) {
     let mut reactions = candidate.reactions.iter();
     let all: f64 = candidate.reactions.iter().map(|reaction| reaction.force.abs()).sum();
@@ -142,9 +125,8 @@ pub(crate) fn acting(model: &Model, candidate: &Candidate) -> Vec<bool> {
     model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
 }
 
-/// Returns whether each support is active in the next solve, from the solution with the active set `acts`.
-/// Active supports with a positive force stay active, and inactive supports that the beam penetrates become
-/// active. Two-way supports are always active.
+/// Returns the active supports of the next solve. Active supports with a positive force stay active. Inactive supports
+/// that the beam penetrates become active.
 pub(crate) fn asked_for(model: &Model, acts: &[bool], candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, acts, candidate);
     let (clear, _) = clearances(model, candidate);

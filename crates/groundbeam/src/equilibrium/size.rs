@@ -1,10 +1,7 @@
 //! Number of elements and memory of a solve, estimated from the model and the options.
 //!
-//! A model must satisfy two limits. The memory of all elements must stay below [`Options::memory_limit`]. The
-//! number of series elements must stay below a fixed limit, because their computing time is large compared with
-//! their memory. Series elements occur where the stiffness of beam or ground varies and where the beam has
-//! shear deformation. Example: under a shear layer a billion times as stiff as the beam, boundary layers have a
-//! length of 10⁻⁴ l, and series elements must be as short as these layers.
+//! [`Options::memory_limit`] limits the memory. A limit on series elements bounds the computing time. See *Limits of
+//! size* in `docs/methods.md`.
 
 use crate::element;
 use crate::element::element::LONGEST_SERIES;
@@ -21,12 +18,12 @@ use crate::options::{Method, Options};
 /// shear deformation.
 const MOST_SERIES: usize = 30_000;
 
-/// Upper bounds of the memory \[bytes\]: per element of the exact method, per mesh cell of the other methods,
-/// and per node of a solution that is computed at nodes only. The largest values measured in
-/// `verification/tests/memory.rs` and `bench/` are 10,800, 3500 and 53. The peak memory of the same solve
-/// varies by 1 % from run to run.
+/// Upper bound of the memory per element of the exact method \[bytes\]. The largest value measured in
+/// `verification/tests/memory.rs` and `bench/` is 10,800.
 const EXACT: usize = 12_000;
+/// Upper bound of the memory per mesh cell of the other methods \[bytes\]. The largest measured value is 3500.
 const MESH: usize = 4_200;
+/// Upper bound of the memory per node of a solution at nodes alone \[bytes\]. The largest measured value is 53.
 const NODE: usize = 100;
 
 /// Upper bounds of the numbers of elements of a model.
@@ -91,10 +88,8 @@ impl Count {
     }
 }
 
-/// Returns an upper bound of each number in [`Count`], computed from the largest wave number of the beam.
-/// Returns `None` if the beam has shear deformation, if segments vary or if loads act on the ground. The
-/// model is not divided into cells, because for a small model this would take a large part of the solution
-/// time.
+/// Returns upper bounds of the numbers in [`Count`] without dividing the model into cells, which takes time. Returns
+/// `None` for shear deformation, varying segments or loads on the ground.
 fn few(model: &Model) -> Option<Count> {
     let Model { beam, foundation, loads, supports, hinges, gap } = model;
     if beam.shears() || model.varying_part().is_some() || model.has_ground_loads() {
@@ -113,8 +108,8 @@ fn few(model: &Model) -> Option<Count> {
     Some(Count { cells, elements, fewest, series: 0, is_even: true })
 }
 
-/// Returns an upper estimate of the memory of a solve of a valid model \[bytes\], from the number of elements.
-/// The method `active-set` needs less memory if nodes lift off.
+/// Returns an upper estimate of the memory of a solve of a valid model \[bytes\]. The method `active-set` needs less if
+/// nodes lift off.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Method, Model, Options, memory_estimate};
@@ -133,8 +128,7 @@ pub fn memory_estimate(model: &Model, options: &Options) -> u64 {
 /// combinations of 10⁴ loads is 0.18.
 const KEPT: u64 = 5;
 
-/// Refuses a list of models if the memory of all stored solutions plus the memory of the largest solve
-/// exceeds the memory limit.
+/// Refuses models whose stored solutions and largest solve exceed the memory limit together.
 ///
 /// # Errors
 ///

@@ -1,9 +1,7 @@
 //! Computes k and μ of the modified Vlasov model from r = ∫u'²/∫u², where u is the ground displacement of the solution.
 //!
-//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan and Das
-//! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) alternate between
-//! computing u and computing k and μ. Here every u is exact on the whole line, including ground without contact under
-//! the beam and the ground outside the beam.
+//! k and μ depend on r, and u depends on k and μ. So both are computed in turn, as by Vallabhan and Das (1991). See
+//! *Layers* in `docs/soil.md`.
 
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
@@ -45,8 +43,8 @@ fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     }
 }
 
-/// Iterates on the ratio r = ∫u'²/∫u² of the ground displacement u, until the r of the solution equals the r from which
-/// k and μ were computed. The initial r is that of a soil with the decay parameter γ = 1.
+/// Iterates on r = ∫u'²/∫u² of the ground displacement u, until k and μ belong to the r of the solution. The initial r
+/// belongs to the decay parameter γ = 1.
 fn iterate(
     soil: &SoilModel,
     model: &Model,
@@ -79,8 +77,8 @@ fn iterate(
     }))
 }
 
-/// Returns the next value of the ratio r = ∫u'²/∫u² of the ground displacement u, by the secant method from the last
-/// two iterations. If the secant step is too large, returns the ratio computed from the last solution.
+/// Returns the next value of the ratio r by the secant method from the last two iterations. If the secant step is too
+/// large, returns `found`.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };
     let slope = (found - found_0) / (rate - rate_0);
@@ -106,9 +104,8 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     (sums[0] > 0.0).then(|| sums[1] / sums[0])
 }
 
-/// Returns ∫u² and ∫u'² of the ground displacement u outside one end of the beam. Ground defined by soil data is
-/// infinite. Between the ends of loads, u is q/k plus two exponential functions, with the load q on the ground. Beyond
-/// the last load, u decays exponentially.
+/// Returns ∫u² and ∫u'² of the ground displacement u outside one end of the beam. Beyond the last load on the ground, u
+/// decays exponentially.
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
     let Some(piece) = piece else { return [0.0; 2] };
@@ -123,6 +120,7 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     marks.sort_by(f64::total_cmp);
     marks.dedup();
     let mut sums = [0.0; 2];
+    // Between ends of loads, u is the load divided by k, plus two exponential functions.
     for part in marks.windows(2).map(|part| [part[0], part[1]]) {
         let middle = place(0.5 * (part[0] + part[1]));
         let pressed = part.map(|out| pressure(solution.model(), place(out), middle) / spring);
@@ -163,9 +161,8 @@ fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     })
 }
 
-/// Returns ∫u² dx and ∫u'² dx of the ground displacement u over a stretch of the given length, by Gauss quadrature on
-/// pieces of the stretch on which u is a polynomial to rounding error. The function `u` returns u and u' = du/dx at the
-/// coordinate s of the stretch, −1 ≤ s ≤ 1. `b` is √(k/μ).
+/// Returns ∫u² dx and ∫u'² dx over a stretch of the given length by Gauss quadrature. `u` returns u and u' at s from −1
+/// to 1. `b` is √(k/μ).
 fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     let mut cuts = vec![0.0, length];
     cut([0.0, length], 1.0 / b, &mut cuts);
@@ -208,9 +205,8 @@ mod tests {
     use crate::soil::SoilLayer;
     use crate::{Options, solve_with};
 
-    /// Vallabhan and Das (1991) compute the decay parameter γ of the soil displacement over the depth. It is 0.395 for
-    /// a beam of length 100 on soil of thickness 25 under a uniform load, in feet and kips. For a force at the middle
-    /// and ground that can pull, γ is 0.507. Here the ground cannot pull and the ends lift off, so γ is smaller.
+    /// Vallabhan and Das (1991) compute γ = 0.395 for a uniform load and 0.507 for a force at the middle, in feet and
+    /// kips. Their ground can pull. Here the ends lift off, so the second γ is smaller.
     #[test]
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
@@ -231,9 +227,8 @@ mod tests {
         assert!(gamma < 0.507 && from > 13.0, "{gamma} {from}");
     }
 
-    /// Compares the ratio ∫u'²/∫u² of the ground displacement u with that of a linear interpolation of u between very
-    /// many points. The integrals cover the ground in contact, the ground out of contact and the ground outside the
-    /// beam. A model without loads on the ground and a model with such loads are tested.
+    /// Compares r = ∫u'²/∫u² with that of a linear interpolation of u between many points, with and without loads on
+    /// the ground.
     #[test]
     fn the_rate_agrees_with_linear_interpolation() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

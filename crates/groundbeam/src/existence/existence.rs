@@ -1,13 +1,8 @@
 //! Decides from loads and supports alone whether an equilibrium exists, by a sharper form of theorem 2 of Kikuchi (1980).
 //!
-//! Let F(r) be the work of the loads in a rigid motion r of the beam, where r(x) is the downward
-//! displacement. The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free
-//! rigid motion r ≤ 0 other than r = 0. A motion is free if the beam presses nowhere on the ground and if
-//! neither supports nor tension resist the motion. For a free beam without tension, all r = a x + b with
-//! r(0) ≤ 0 and r(l) ≤ 0 are free. The work is F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and
-//! R_l of the loads. So the necessary and sufficient condition is that both static reactions are positive,
-//! (4.24)/(4.25). Tension and supports reduce the set of free motions. Free hinges enlarge the set, because r
-//! may have a kink at each hinge.
+//! An equilibrium exists if the loads do negative work in every rigid motion that ground, supports and tension do not
+//! resist. A free beam without tension needs two positive static reactions, (4.24)/(4.25). The proof is in
+//! `docs/existence.md`.
 
 use crate::existence::statics::static_reactions;
 use crate::existence::unloaded_piece::balanced_without_a_layer;
@@ -91,9 +86,8 @@ mod tests {
             let middle = a / (2.0 * l) * f0 * a + m0 / l;
             assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
         }
-        // Case (c) of figure 2 of Kikuchi's paper: the force f₁ acts at the left end of the beam, the force f₃ at its
-        // right end, and the force f₂ on an arm, at the distance a to the left of the left end. In the model, f₂ acts
-        // at the left end together with the moment −f₂ a.
+        // Case (c) of figure 2 of Kikuchi's paper: f₁ and f₃ act at the left and the right end, and f₂ on an arm of
+        // length a to the left of the beam. The model replaces the arm by the moment −f₂ a.
         for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
             let (f1, a) = (2.0, 1.0);
             let model = beam()
@@ -121,8 +115,8 @@ mod tests {
         assert!(exists(&outside.with_support(Support::spring(4.0, 1.0, 1.0))));
     }
 
-    /// If no equilibrium exists, the loads do positive work in the motion that the verdict names. Otherwise the loads
-    /// do no positive work in a rigid motion with random upward displacements of the ends and hinges.
+    /// If no equilibrium exists, the loads do positive work in the motion of the verdict. Otherwise they do no positive
+    /// work in random upward motions.
     #[test]
     fn random_motions_of_hinged_beams() {
         // A linear congruential generator, x' = 16807 x mod (2³¹ − 1), returns random numbers.
@@ -209,10 +203,10 @@ mod tests {
         assert!(!exists(&lifted(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&lifted(slab().with_support(Support::pinned(1.0)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(1.0)), 0.0)));
-        // A piece that cannot rotate can lift off only as a whole. Axial tension prevents the rotation of every piece,
-        // so only the whole beam can lift off. An upward force of 2 does not lift the beam with its load of 4.
+        // A piece that cannot rotate can lift off only as a whole.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
         assert!(exists(&lifted(turned(0.5), 1.0)) && !exists(&lifted(turned(3.5), 1.0)));
+        // Under tension, only the whole beam can lift off. An upward force of 2 does not lift the load of 4.
         let mut tied = slab();
         tied.beam.axial_force = 1.0;
         assert!(exists(&lifted(tied.clone(), 4.0)));

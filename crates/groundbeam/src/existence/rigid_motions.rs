@@ -1,8 +1,7 @@
 //! Finds the free rigid motions of the beam, (4.16), which are linear between its ends and its free hinges.
 //!
-//! The ends and free hinges are *nodes*; a *piece* lies between two of them. A rigid motion r is given by its
-//! values at the nodes. An elastic hinge resists a kink, so it is not a node. Since r is linear between
-//! nodes, r ≤ 0 everywhere if and only if r ≤ 0 at every node.
+//! The ends and free hinges are *nodes*, and a *piece* lies between two of them. The values at the nodes describe a
+//! rigid motion. Elastic hinges resist kinks and are not nodes.
 
 use crate::model::{Acts, Model, SupportKind};
 use crate::numeric::tolerance::same_place;
@@ -20,9 +19,8 @@ pub(crate) struct Mechanism {
 }
 
 impl Mechanism {
-    /// Returns the nodes, which are the ends and free hinges of the beam, and the constraints on its upward motion.
-    /// Axial tension prevents the rotation of each piece of the beam between two nodes. A support that only pushes up
-    /// is not a constraint.
+    /// Returns the nodes, and the constraints on upward motions of the beam. Any axial force counts as a constraint on
+    /// the rotation of every piece. A support that only pushes up is not a constraint.
     pub fn of(model: &Model) -> Self {
         let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
         if model.beam.axial_force != 0.0 {
@@ -70,18 +68,14 @@ impl Mechanism {
         (x - self.nodes[node]).abs() <= same_place(l)
     }
 
-    /// Returns the smallest groups of neighbouring nodes that can rise together while all other nodes stay at
-    /// rest. Such a lift satisfies the constraints of supports and tension, and the beam presses nowhere on the
-    /// ground. Every rigid motion r ≤ 0 (r is the downward displacement) that satisfies the constraints is a
-    /// sum of positive multiples of these lifts.
-    ///
-    /// A support inside a piece keeps both nodes of the piece at rest, because a linear function r ≤ 0 that is
-    /// zero inside a piece is zero on the whole piece. Both nodes of a piece that cannot rotate rise equally.
+    /// Returns the smallest groups of neighbouring nodes that can rise together while all other nodes stay at rest.
+    /// Every free rigid motion is a sum of positive multiples of these lifts.
     pub fn free_groups(&self) -> Vec<Range<usize>> {
         let mut fixed = vec![false; self.nodes.len()];
         for &x in &self.held {
             match (0..self.nodes.len()).find(|node| self.is_at(x, *node)) {
                 Some(node) => fixed[node] = true,
+                // A linear function r ≤ 0 that is zero inside a piece is zero on the whole piece.
                 None => {
                     let piece = self.piece_at(x);
                     (fixed[piece], fixed[piece + 1]) = (true, true);
@@ -91,6 +85,7 @@ impl Mechanism {
         let mut groups = Vec::new();
         let mut first = 0;
         for node in 0..self.nodes.len() {
+            // Both nodes of a piece that cannot rotate rise equally.
             if self.straight.get(node) == Some(&true) {
                 continue;
             }
@@ -109,13 +104,8 @@ impl Mechanism {
         self.held.iter().chain(more).next().copied()
     }
 
-    /// Returns the ends of the first piece that can move up or down if the beam is also held at the positions
-    /// in `more`. Returns `None` if no piece can move.
-    ///
-    /// A piece is fixed if it has two held positions, or one held position and no free rotation. The nodes of a
-    /// fixed piece are held positions of the neighbouring pieces. This procedure finds all fixed pieces. Proof:
-    /// n connected pieces have n + 1 degrees of freedom, so if no piece can move, one of them has two
-    /// constraints of its own.
+    /// Returns the ends of the first piece that can move if the beam is also held at the positions `more`, or `None`. A
+    /// piece with two constraints holds its neighbours. See *Uniqueness* in `docs/existence.md`.
     pub fn first_free_piece(&self, more: &[f64]) -> Option<[f64; 2]> {
         let places: Vec<f64> = self.held.iter().chain(more).copied().collect();
         let nodes = 0..self.nodes.len();
@@ -236,9 +226,8 @@ mod tests {
         all
     }
 
-    /// Returns the constraints on the nodal values of a rigid motion r (downward displacement, linear between
-    /// nodes), one row for each constraint. The constraints are r = 0 at the held positions, and equal values
-    /// of r at both ends of a piece that cannot rotate.
+    /// Returns the constraints on the nodal values of a rigid motion, one row each: zero at the held positions, and
+    /// equal values at both nodes of a piece that cannot rotate.
     fn constraints(of: &Mechanism) -> Vec<Vec<f64>> {
         let row = |entries: &[(usize, f64)]| {
             let mut row = vec![0.0; of.nodes.len()];
@@ -280,9 +269,8 @@ mod tests {
         rank
     }
 
-    /// A piece cannot move if and only if the constraints imply that the rigid motion r is zero at both of its
-    /// nodes. The constraints imply r = 0 at a node if and only if adding r = 0 as a further constraint does
-    /// not raise their rank.
+    /// A piece can move if and only if the constraint r = 0 at one of its nodes raises the rank of the constraints on
+    /// the motion r.
     #[test]
     fn the_first_free_piece_follows_from_the_rank_of_the_constraints() {
         for of in mechanisms() {
@@ -303,10 +291,8 @@ mod tests {
         }
     }
 
-    /// The test tries all rigid motions r in which each node stays at rest (r = 0) or rises by one (r = −1). If two
-    /// motions satisfy the constraints and have rising nodes in common, the motion in which only these common nodes
-    /// rise satisfies the constraints too. So the tested function must return the smallest sets of nodes that can rise
-    /// together.
+    /// The test tries all motions in which each node rests or rises by one. The groups must be the smallest sets of
+    /// nodes that rise in a free motion.
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {

@@ -3,9 +3,8 @@
 use crate::model::{Action, Extent, Load, triangles};
 use crate::numeric::sum::Sum;
 
-/// Returns the work F(φ) of the loads in the hat function φ of each node. φ is 1 at the node, 0 at all other
-/// nodes, and linear between nodes. F(φ) is the reaction of a support under the node if the pieces are rigid.
-/// Without hinges the reactions are R₀ = F(1 − x/l) and R_l = F(x/l).
+/// Returns the static reaction at each node: the work of the loads in the hat function of the node, which is 1 there
+/// and 0 at other nodes. It is the force of a support there if all pieces are rigid.
 pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     let pieces = nodes.len() - 1;
     let mut reactions = vec![Sum::default(); nodes.len()];
@@ -49,8 +48,8 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     reactions.into_iter().map(Sum::finished).collect()
 }
 
-/// Cuts a linearly varying distributed load at the nodes between the pieces. Returns, for each part of the
-/// load, the index of its piece, the positions of its ends, and the load at these positions.
+/// Cuts a linearly varying load at the nodes. Returns, for each part, the index of its piece, its end positions and its
+/// end values.
 pub(crate) fn cut(
     nodes: &[f64],
     [from, to]: [f64; 2],

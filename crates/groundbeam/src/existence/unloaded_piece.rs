@@ -7,10 +7,8 @@ use crate::model::{Model, Support};
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// Returns the verdict for a beam with a piece that can lift off while the loads do no work. By virtual work, such a
-/// piece does not press on the ground, except at a node that stays at rest. If all pieces beside a loaded node can lift
-/// off in this way, the load of the node needs a concentrated contact force. Only a shear layer or a support that
-/// pushes up can exert this force. Without them, the beam would sink and rotate without limit.
+/// Returns the verdict for a beam with a piece that can lift off while the loads do no work. Such a piece does not
+/// press on the ground. A loaded node between such pieces needs a shear layer or a bearing.
 pub(super) fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
@@ -67,9 +65,8 @@ mod tests {
         assert!(matches!(over(Foundation::winkler(1.0)), Verdict::None(m) if m.work == 0.0));
     }
 
-    /// On Winkler ground, a beam whose only load is a point force at an end or a hinge sinks without limit.
-    /// With a shear layer at this position, an equilibrium exists, because a shear layer carries a
-    /// concentrated force. The result does not depend on the unit of length.
+    /// On Winkler ground, a beam under a single force at an end or a hinge sinks without limit. A shear layer at this
+    /// position carries the force. The result does not depend on the unit of length.
     #[test]
     fn a_force_over_a_node_needs_a_shear_layer() {
         let over = |unit: f64, x: f64, shear: [f64; 2], [from, to]: [f64; 2]| {
@@ -147,8 +144,8 @@ mod tests {
             let both = verdict(&[middle, Load::point_force(x, 1.0)]);
             assert!(matches!(both, Verdict::NotUnique(m) if m.lifted == Some([0.0; 2])), "{x}");
         }
-        // A force inside the middle piece presses this piece onto the ground, so an equilibrium exists. A force
-        // at an end of the middle piece presses no piece onto the ground, so no equilibrium exists.
+        // A force inside the middle piece presses it onto the ground. A force at its end presses no piece onto the
+        // ground, so no equilibrium exists.
         assert!(matches!(verdict(&[Load::point_force(2.0, 1.0)]), Verdict::NotUnique(_)));
         assert!(matches!(verdict(&[Load::point_force(1.0, 1.0)]), Verdict::None(_)));
         assert!(matches!(verdict(&[Load::point_force(3.0, 1.0)]), Verdict::None(_)));

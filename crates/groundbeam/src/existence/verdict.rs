@@ -9,16 +9,14 @@ use crate::numeric::tolerance::SUM_ROUNDING;
 pub enum Verdict {
     /// There is exactly one equilibrium.
     Unique,
-    /// More than one equilibrium exists, because this rigid motion does not change the energy. This happens if a static
-    /// reaction is zero, if the beam rests on one point only, or if a piece beside a free hinge can move freely.
+    /// More than one equilibrium exists, because this rigid motion does not change the energy. Examples are a beam on a
+    /// single point and a free piece beside a hinge.
     NotUnique(RigidMotion),
-    /// No equilibrium exists. In this rigid motion the beam presses nowhere on the ground, and the work of the loads is
-    /// positive or zero. If the work is zero, one of the loads needs a concentrated contact force that the ground
-    /// cannot exert.
+    /// No equilibrium exists. In this rigid motion the loads do positive work, or no work if a load needs a
+    /// concentrated contact force that the ground cannot exert.
     None(RigidMotion),
-    /// Without the ground, the compression would make the beam unstable. A stable equilibrium exists on the
-    /// path that starts at the solution without compression. This equilibrium is local, because other
-    /// equilibria far from it are possible.
+    /// A stable equilibrium on the path that starts without compression. Without the ground, the beam would be
+    /// unstable. Other equilibria are possible.
     Local(Local),
     /// The beam buckles: the path of stable equilibria from zero compression ends before the given compression is
     /// reached.
@@ -28,10 +26,8 @@ pub enum Verdict {
 /// The stability of a local equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Local {
-    /// Smallest ratio of the second variation of the energy to the second variation without the axial force P.
-    /// The second variation for a deflection z is ∫(EI z″² + P z'²) plus the energy of springs and of the ground
-    /// in contact. The margin is 0 if the beam buckles, and 1 without compression. It is 1 + P/P_b with the
-    /// buckling load P_b of the beam bonded to the ground in the contact zones.
+    /// Smallest ratio of the second variation of the energy to that without the axial force P. It is 1 + P/P_b for the
+    /// buckling load P_b of the beam bonded to the ground in contact, and 0 at buckling.
     pub stability_margin: f64,
     /// The compression at which the path of stable equilibria ends, at constant loads \[N\].
     pub critical_compression: f64,
@@ -76,30 +72,27 @@ impl Verdict {
     }
 }
 
-/// A rigid motion of the beam with the downward displacement r(x), which is linear between the free hinges. It is
-/// scaled so that the largest absolute value of r is one. The motion presses nowhere on the ground. So r ≤ 0
-/// everywhere, except in a rotation about a single contact point between the beam's ends. Such a rotation has r > 0 on
-/// one side of this point.
+/// A rigid motion of the beam with the downward displacement r(x), linear between free hinges and scaled to a largest
+/// absolute value of one. It is upward (r ≤ 0), except in a rotation about the single point that holds the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
-    /// Displacement r(0) of the left end in the scaled rigid motion r, positive down. If the beam rotates about a
-    /// single contact point, r(0) is at least −1 and less than 0. Otherwise it is 0 or −1.
+    /// Displacement r(0) of the left end, positive down: 0 or −1. In a rotation about a single point, it lies between
+    /// −1 and 0.
     pub left: f64,
-    /// Displacement r(l) of the right end in the scaled rigid motion r, positive down. If the beam rotates about a
-    /// single contact point, r(l) is greater than 0 and at most 1. Otherwise it is 0 or −1.
+    /// Displacement r(l) of the right end, positive down: 0 or −1. In a rotation about a single point, it lies between
+    /// 0 and 1.
     pub right: f64,
     /// Work F(r) of the loads in the rigid motion r, per metre of its largest displacement \[N·m/m\].
     pub work: f64,
-    /// Positions \[m\] of the first and the last node with the displacement r = −1 (upward) in the rigid motion. The
-    /// nodes are the beam's ends and its free hinges. All nodes between these two positions have r = −1 too, and all
-    /// other nodes have r = 0. `None` for a beam without free hinges.
+    /// Positions \[m\] of the first and the last of the ends and free hinges that rise (r = −1), with all between them.
+    /// After a solve, they are the ends of the first piece that can move. `None` without free hinges.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub lifted: Option<[f64; 2]>,
 }
 
 impl RigidMotion {
-    /// Returns the displacement r of the beam of `model` in this rigid motion, positive down, at the position `x`.
+    /// Returns the displacement r at the position `x`, positive down. `model` must be the model of this motion.
     ///
     /// ```
     /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
@@ -151,8 +144,8 @@ impl Existence {
         (total != 0.0).then(|| l * (self.static_reactions[1] / total))
     }
 
-    /// Returns the verdict after the solve. A beam that rests on a single point between its ends has more than
-    /// one equilibrium, unless tension or a support prevents the rotation about this point.
+    /// Returns the verdict after the solve. The equilibrium is not unique if the beam or one of its pieces can still
+    /// move, for example if it rests on a single point.
     pub(crate) fn with_contact(self, model: &Model, contact: &[[f64; 2]]) -> Existence {
         let mechanism = Mechanism::of(model);
         // In a rigid motion of the beam, the two ends of a contact zone and the hinges inside it cannot move up or

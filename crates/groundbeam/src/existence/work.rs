@@ -1,7 +1,6 @@
 //! Computes, from the static reactions, the work of the loads in the extreme rigid motions that lift the beam off the ground.
 //!
-//! Every rigid motion that lifts the beam off the ground and that supports and tension permit is a sum of positive
-//! multiples of the extreme motions.
+//! Every free rigid motion is a sum of positive multiples of the extreme motions.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -10,9 +9,8 @@ use crate::model::Model;
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// Returns the position \[m\] and the force, positive upward \[N\], of each static reaction. The static
-/// reactions are the support forces of a chain of rigid beams that is supported only at its two ends and at its
-/// free hinges.
+/// Returns the position \[m\] and the size \[N\], positive upward, of each static reaction. The static reactions are
+/// the support forces of a chain of rigid beams with supports only at its ends and at its free hinges.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, existence::static_reactions};
@@ -28,8 +26,8 @@ pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
     nodes.into_iter().zip(reactions).map(|(x, reaction)| (x, reaction.sum)).collect()
 }
 
-/// Returns the extreme rays of the cone of free rigid motions. Each ray is a motion r with the value −F(r), where F(r)
-/// is the work of the loads in this motion. F is linear in the loads, and the rays do not depend on the loads.
+/// Returns the extreme rays of the cone of free rigid motions. The number before each motion is minus the work of the
+/// loads in this motion.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     let mechanism = Mechanism::of(model);
     let nodes = &mechanism.nodes;
@@ -46,8 +44,7 @@ pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     mechanism.free_groups().into_iter().map(ray).collect()
 }
 
-/// Returns the sum of the absolute values of all contributions of the loads to the static reactions \[N\]. The static
-/// reactions are the support forces of a chain of rigid beams that is supported at its two ends and at its free hinges.
+/// Returns the sum of the absolute values of all contributions of the loads to the static reactions \[N\].
 pub(crate) fn size_of_loads(model: &Model) -> f64 {
     static_reactions(&model.loads, &Mechanism::of(model).nodes).iter().map(|sum| sum.size).sum()
 }

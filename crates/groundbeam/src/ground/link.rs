@@ -1,13 +1,11 @@
 //! Computes the end forces of a stretch of ground without contact from its end settlements, (2.2)–(2.5) of Kikuchi's paper.
 //!
 //! Unloaded ground, −(μu')' + ku = 0, acts between the two ends of a stretch like three springs, which form a
-//! *two-port*. One spring connects the ends (`series`), and one spring is under each end (`shunt_left`, `shunt_right`).
-//! A uniform two-port of length h has the series stiffness √(kμ)/sinh(bh) and the shunt stiffnesses √(kμ)·tanh(bh/2),
-//! with b = √(k/μ). All three stiffnesses are positive. Two two-ports in series form one two-port. Its stiffnesses are
-//! sums, products and quotients of positive numbers, so no digits cancel.
+//! *two-port*: `series` between the ends, `shunt_left` and `shunt_right` under the ends. All three stiffnesses are
+//! positive. So the connection of two two-ports in series loses no digits by cancellation.
 //!
-//! The two-ports of consecutive stretches have a tridiagonal stiffness matrix. This matrix is the inverse of the
-//! paper's matrix (5.8) of Green's function (2.4), so the full matrix (5.8) is never formed.
+//! The stiffness matrix of consecutive two-ports is tridiagonal. It is the inverse of the full matrix (5.8) of the
+//! paper.
 
 use crate::model::GroundOutside;
 use crate::model::outside::OutsideLayer;
@@ -75,17 +73,16 @@ impl<R: Real> TwoPort<R> {
     }
 }
 
-/// Number of power series coefficients of the ground displacement u about the middle of a stretch with varying k or μ.
-/// The ends are at most one decay length √(μ/k) from the middle, so the first omitted term is about 1/20! of the first
-/// term.
+/// Number of terms in the power series of the ground displacement on a stretch of at most two decay lengths √(μ/k). The
+/// first omitted term is about 1/20! of the first term.
 const SURFACE_TERMS: usize = 20;
 
 /// A coefficient of these power series is neglected if it does not change this number. Then it is below 10⁻²⁰ of the
 /// leading coefficient, which is 1, and has no derivatives.
 const UNCHANGED: f64 = 1e-4;
 
-/// Returns the power series coefficients of the ground displacement u on a short stretch with varying k and μ, from the
-/// values `ends` of u at both ends. The coordinate s of the series is −1 and 1 at the ends.
+/// Returns the coefficients of the ground displacement in powers of s ∈ \[−1, 1\] on a short stretch with varying k and
+/// μ. `ends` contains the displacements of both ends.
 pub(crate) fn settled<R: Real>(
     spring: &[R],
     shear: &[R],
@@ -95,8 +92,8 @@ pub(crate) fn settled<R: Real>(
     Pair::new(spring, shear, half).between(ends)
 }
 
-/// Two solutions u(s) of −(μu')' + ku = 0 on a short stretch of ground, as power series in the coordinate s,
-/// which is 0 in the middle of the stretch and ±1 at its ends. The first terms of the series are 1 and s.
+/// Two solutions of −(μu')' + ku = 0 on a short stretch of ground, as power series in s ∈ \[−1, 1\]: `one` = 1 + O(s²)
+/// and `rising` = s + O(s²).
 pub(crate) struct Pair<R> {
     one: [R; SURFACE_TERMS],
     rising: [R; SURFACE_TERMS],
@@ -114,9 +111,8 @@ impl<R: Real> Pair<R> {
                 if used.iter().all(|c| *c + UNCHANGED == UNCHANGED) {
                     break;
                 }
-                // Equating the coefficients of sʲ in (μu')' = a² k u gives the coefficient of s^(j+2) in the ground
-                // displacement u. Primes are derivatives with respect to s, which is −1 and 1 at the ends of the
-                // stretch, and a is half the length of the stretch.
+                // The coefficient of sʲ in (μu')' = `half`² k u gives c[j + 2]. Primes are derivatives with
+                // respect to s.
                 let push: R = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| *k * *c).sum();
                 let mut flux = push * (half * half) / (j + 1) as f64;
                 for (i, mu) in shear.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 1) {
@@ -129,9 +125,8 @@ impl<R: Real> Pair<R> {
         Pair { one: solution([R::ONE, R::ZERO]), rising: solution([R::ZERO, R::ONE]) }
     }
 
-    /// Returns the amplitudes with which the solutions `one` and `rising` sum to a displacement u with the given
-    /// end values. Also returns the determinant of the equations for the amplitudes. The amplitudes are computed
-    /// without cancellation.
+    /// Returns the factors of `one` and `rising` in the displacement with the given end values, and the determinant of
+    /// the equations for these factors. The split into even and odd powers avoids cancellation.
     fn amplitudes(&self, [left, right]: [R; 2]) -> ([R; 2], R) {
         let parts = |c: &[R; SURFACE_TERMS]| {
             let even: R = c.iter().copied().step_by(2).sum();
@@ -152,9 +147,8 @@ impl<R: Real> Pair<R> {
         self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()
     }
 
-    /// Returns the two-port (the three equivalent springs) of the stretch of ground. Its series stiffness is μ times
-    /// the Wronskian of the solutions `one` and `rising`, divided by the determinant of `amplitudes`. The numerator is
-    /// constant along the stretch.
+    /// Returns the two-port (the three equivalent springs) of the stretch. The series stiffness is μ times the
+    /// Wronskian of `one` and `rising`, a constant, divided by the determinant of `amplitudes`.
     pub fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let slope = |end: f64| {
@@ -249,18 +243,17 @@ pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
     cuts.extend([from + reach, to - reach]);
 }
 
-/// Returns the ground displacement at a fraction `t` of an unloaded uniform stretch from its values at both
-/// ends. The argument `length` is the length of the stretch divided by the decay length √(μ/k).
+/// Returns the ground displacement at the fraction `t` of an unloaded uniform stretch, from its values at both ends.
+/// The unit of `length` is the decay length √(μ/k).
 pub(crate) fn between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     sinh_ratio(length, 1.0 - t) * left + sinh_ratio(length, t) * right
 }
 
-/// Returns u'/b at the fraction `t` of an unloaded uniform stretch of ground, with b = √(k/μ). `left` and `right` are
-/// the ground displacements u at the ends of the stretch, and `length` is b times its length.
+/// Returns the slope of the ground displacement, divided by √(k/μ), at the fraction `t` of an unloaded uniform stretch.
+/// The unit of `length` is the decay length √(μ/k).
 pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
-    // At the fraction t of the stretch, u'/b with b = √(k/μ) is (right·cosh(t·z) − left·cosh((1 − t)·z))/sinh z.
-    // Here `length` = z is b times the length of the stretch, and `left` and `right` are the values of the ground
-    // displacement u at its ends. The formula for z < 1 has no cancellation if these two values are equal.
+    // With z = `length`, the result is (right·cosh(t·z) − left·cosh((1 − t)·z))/sinh z. The formula for z < 1 has no
+    // cancellation if `left` and `right` are equal.
     let series = exp(-length) * 2.0 / -expm1(length * -2.0);
     let cosh_less_one = |z: R| power(sinh(z * 0.5), 2) * 2.0;
     if length.value() < 1.0 {

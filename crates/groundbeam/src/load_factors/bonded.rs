@@ -20,9 +20,8 @@ pub(super) fn bonded_everywhere(
     Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]])
 }
 
-/// Returns the pressures and concentrated forces along the whole beam, from left to right, for two deflections
-/// of one model under different loads. The cells of the two deflections may differ, because each mesh is
-/// refined in its own boundary layers.
+/// Returns the pressures and concentrated forces along the whole beam, from left to right, for the deflections under
+/// the constant and the increasing loads. The cells of the two deflections may differ.
 pub(super) fn lift_off_candidates(
     staying: &ContactState,
     growing: &ContactState,
@@ -35,6 +34,7 @@ pub(super) fn lift_off_candidates(
         let to = if same { a.x[1] } else { a.x[1].min(b.x[1]) };
         let x = [from, to];
         let mut sides = [pressure(staying, i, x), pressure(growing, j, x)];
+        // At a zero under all loads, the slope or the curvature of the pressure decides the first lift-off.
         for (end, root) in known_roots(staying, x, a) {
             for side in &mut sides {
                 for _ in 0..root {
@@ -52,8 +52,7 @@ pub(super) fn lift_off_candidates(
     all
 }
 
-/// Returns the pressure p = k(w − g₀) − μ(w − g₀)″ − q on the part `x` of cell `i`, with the initial gap g₀ and the
-/// load q on the ground. Also returns the sum of the absolute values of the terms of p.
+/// Returns the pressure on the part `x` of cell `i`, and the sum of the absolute values of the terms of the pressure.
 fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     let cell = &found.mesh.cells[i];
     let half = 0.5 * cell.length();
@@ -74,10 +73,8 @@ fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     Side { coefficients, size }
 }
 
-/// Returns the ends s = ∓1 of a part of a cell at which the pressure is zero for all loads, and the
-/// multiplicity of each of these zeros. Such an end is at a support that fixes the beam at the undeformed
-/// surface of Winkler ground. Near a pinned support, the slope of the pressure decides the first lift-off. Near
-/// a clamped support, the curvature of the pressure decides the first lift-off.
+/// Returns the ends s = ∓1 at which a rigid support on Winkler ground keeps the pressure zero under all loads, and the
+/// multiplicity of each zero.
 fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
     if cell.shear_layer > 0.0 {
         return Vec::new();
@@ -195,10 +192,8 @@ mod tests {
         Model::new(Beam::uniform(4.0, 1.0), ground)
     }
 
-    /// For w = 1 + x + x² on ground with k = 3 and μ = 5, the pressure is p = 3w − 10. From x = 1 to x = 4, the
-    /// deflection is w = 9.75 + 9 s + 2.25 s² with s = (x − 2.5)/1.5. The sum of the absolute values of the
-    /// terms of p is 3 (9.75 + 9 + 2.25) + 5/1.5² · 2 · 2.25. The gap adds 3 times its largest absolute value,
-    /// and a load on the ground adds its largest absolute value.
+    /// The pressure under w = 1 + x + x² with k = 3 and μ = 5 is 3w − 10. On \[1, 4\], w = 9.75 + 9 s + 2.25 s², so the
+    /// absolute values of the terms add up to 3 · 21 + 10. The gap adds 3 · 0.75, and the load on the ground adds 2.
     #[test]
     fn the_pressure_on_a_part_of_a_cell_and_its_size() {
         let model = on(Foundation::pasternak(3.0, 5.0));
@@ -216,8 +211,8 @@ mod tests {
         near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
     }
 
-    /// The deflections under the constant and the increasing loads are given on meshes with different nodes. The nodes
-    /// of both meshes together divide the beam into parts. On Winkler ground, the pressure is p = k w on each part.
+    /// The nodes of two meshes with different nodes together divide the beam into parts. On Winkler ground, the
+    /// pressure on each part is k times the deflection.
     #[test]
     fn two_meshes_are_merged_at_all_of_their_nodes() {
         let model = on(Foundation::winkler(2.0));
@@ -249,9 +244,8 @@ mod tests {
         assert_eq!(merged(&[1.0], &[1.0 + 17.0 * unit]).len(), 3);
     }
 
-    /// On Winkler ground the pressure is zero at a pin, and its slope is also zero at a clamp. The pressure at
-    /// a support is not zero if the support and the ground have different heights, or if the ground has a shear
-    /// layer.
+    /// On Winkler ground at the height of a support, the pressure is zero at a pin, and its slope is also zero at a
+    /// clamp.
     #[test]
     fn supports_at_undeformed_ground_are_roots_of_the_pressure() {
         let roots = |model: &Model, x: [f64; 2]| {
@@ -289,9 +283,8 @@ mod tests {
         assert_eq!(roots(&layer, left), []);
     }
 
-    /// The forces under the ends of a beam are √(kμ) w ∓ μ w′, on ground with √(kμ) = 6 and μ = 9. The deflection w is
-    /// a polynomial in s = (x − a)/a, where a is half the length of the beam. A coefficient c of sʲ in w contributes
-    /// |c| (6 + 9 j/a) to the sum of the absolute values of the terms of each force.
+    /// The forces under the ends are 6 w ∓ 9 w′, because √(kμ) = 6 and μ = 9. A coefficient c of sʲ in the deflection w
+    /// adds |c| (6 + 9 j/a) to the size of each force, where a is half the length of the beam.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
         // The deflection is w = 3 + x. In terms of s = (x − 2)/2, it is w = 5 + 2 s.
@@ -306,9 +299,8 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// Combines the concentrated contact forces of two solutions. In the first model, the slope of the initial gap
-    /// jumps from 0 to 1 at x = 2, so a contact force μ acts at x = 2. The second model has no gap, so its force at
-    /// x = 2 is zero. The test also exchanges the two solutions.
+    /// In the first model, the slope of the initial gap jumps from 0 to 1 at x = 2, so a contact force μ acts there.
+    /// The second model has no gap. Both orders of the two solutions are tested.
     #[test]
     fn forces_of_one_of_two_deflections() {
         let even = on(Foundation::pasternak(4.0, 9.0));

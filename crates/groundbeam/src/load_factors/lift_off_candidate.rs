@@ -3,9 +3,8 @@
 use crate::numeric::polynomial::{Coefficients, derivative, value};
 use crate::numeric::roots::sign_changes;
 
-/// A contact pressure on a stretch of the beam, or a concentrated contact force. At the load factor λ, the pressure is
-/// the polynomial `staying` + λ · `growing` in the local coordinate s ∈ \[−1, 1\] of the stretch. For a force, both
-/// polynomials are constants. Lift-off begins where the pressure or force becomes negative.
+/// Contact pressure on the stretch `x` of the beam, or a concentrated contact force. Its value at the load factor λ is
+/// `staying` + λ · `growing`. Lift-off begins where this value becomes negative.
 #[derive(Debug, Clone)]
 pub(super) struct LiftOffCandidate {
     pub x: [f64; 2],
@@ -13,10 +12,8 @@ pub(super) struct LiftOffCandidate {
     pub growing: Side,
 }
 
-/// One part of a contact pressure or force: the part due to the constant loads, or the part due to the increasing loads
-/// at load factor 1. `coefficients` are the coefficients of this part as a polynomial in s ∈ \[−1, 1\]. `size` is the
-/// sum of the absolute values of the terms from which the part is computed. The rounding error of the part is relative
-/// to `size`.
+/// Pressure or force due to the constant loads, or due to the increasing loads at load factor 1, as a polynomial in
+/// s ∈ \[−1, 1\]. Its rounding error is relative to `size`, the sum of the absolute values of its terms.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Side {
     pub coefficients: Coefficients,
@@ -35,12 +32,11 @@ impl LiftOffCandidate {
         lowest(&self.staying.coefficients).1 < -SUM_ROUNDING * self.staying.size
     }
 
-    /// Returns the largest factor below `factor` at which the pressure of this candidate is nowhere negative,
-    /// and the position at which the pressure is zero for this factor. Returns `None` if the pressure is not
-    /// negative at `factor` itself. `factor` may be infinite.
+    /// Returns the largest factor below `factor` without negative pressure, and the position where the pressure is then
+    /// zero. Returns `None` if no pressure is negative at `factor`, which may be infinite.
     ///
-    /// Newton's method finds the factor at which the minimum of the pressure over s ∈ \[−1, 1\] is zero. This
-    /// minimum is a concave function of the factor, so the iterates decrease and never fall below the result.
+    /// Newton's method decreases to the result without passing it, because the minimum of the pressure is concave in
+    /// the factor.
     pub fn first_tension_below(&self, factor: f64) -> Option<(f64, f64)> {
         let (mut factor, mut found) = (factor, None);
         for _ in 0..CANDIDATE_STEPS {
@@ -63,8 +59,8 @@ impl LiftOffCandidate {
         factor * self.growing.size <= SUM_ROUNDING * self.staying.size
     }
 
-    /// Returns the local coordinate s ∈ \[−1, 1\] at which the pressure is most negative for the load factor `factor`.
-    /// Returns `None` if the pressure is nowhere negative beyond rounding error.
+    /// Returns the s ∈ \[−1, 1\] at which the pressure is most negative at the load factor `factor`. Returns `None` if
+    /// no pressure is negative beyond rounding error.
     fn tension_at(&self, factor: f64) -> Option<f64> {
         let (stays, grows) = (&self.staying, &self.growing);
         let (coefficients, size) = if factor.is_finite() {
@@ -129,15 +125,14 @@ mod tests {
         let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
         near(s, -0.5);
         near(least, -0.0625);
-        // On [−1, 1], 3 + s − s² is at least 3 − 1 − 1 = 1. Because this lower bound is not negative, `lowest` does not
-        // search for the minimum. It returns the bound, with the left end s = −1 as the position.
+        // The lower bound 3 − 1 − 1 = 1 of 3 + s − s² is not negative. So `lowest` returns this bound and the left end
+        // s = −1.
         assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
         assert_eq!(lowest(&[]), (-1.0, 0.0));
     }
 
-    /// λ is the load factor, and s is the local coordinate, from −1 to 1. The pressure 2 − λ (1 + s) first becomes zero
-    /// at s = 1, for λ = 1. The pressure 1 + s² − λ (1 + s) has the minimum 1 − λ − λ²/4 at s = λ/2. This minimum is
-    /// zero for λ = 2√2 − 2.
+    /// At the load factor λ, the pressure 2 − λ (1 + s) first becomes zero at s = 1, for λ = 1. The pressure
+    /// 1 + s² − λ (1 + s) has the minimum 1 − λ − λ²/4 at s = λ/2, which is zero for λ = 2√2 − 2.
     #[test]
     fn the_factor_of_first_tension_agrees_with_closed_forms() {
         let at = |of: &LiftOffCandidate, from: f64| of.first_tension_below(from).expect("tension");
@@ -154,8 +149,8 @@ mod tests {
                 assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
             }
         }
-        // The pressure 2 − λ (1 + s) is compressive for all s in [−1, 1] if λ < 1, so also at λ = 1/2. A pressure is
-        // compressive for every λ if its constant part and its part proportional to λ are both compressive.
+        // At λ = 1/2, the pressure 2 − λ (1 + s) is compressive on [−1, 1]. The pressure 1 + λ is compressive for
+        // every λ.
         assert_eq!(falling.first_tension_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_tension_below(f64::INFINITY), None);
         // The pressure −1 + 2λ is negative at every factor λ below 1/2, so no factor below 0.25 is free of
@@ -166,9 +161,8 @@ mod tests {
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
 
-    /// The pressure at the load factor λ has a part of size 2 due to the constant loads and a part of size 3λ due to
-    /// the increasing loads. The size of a part is the sum of the absolute values of its terms. The pressure counts as
-    /// tensile if it is below −256 ε (2 + 3λ), with the machine epsilon ε.
+    /// The parts of the pressure have the sizes 2 and 3λ at the load factor λ. So the pressure is tensile if it is
+    /// below −256 ε (2 + 3λ), with the machine epsilon ε.
     #[test]
     fn tension_exceeds_rounding_error() {
         let constant = |part: f64| {
@@ -184,8 +178,8 @@ mod tests {
         };
         assert_eq!(grows(2.9).tension_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).tension_at(f64::INFINITY), Some(-1.0));
-        // The absolute values of the terms of the pressure add up to 2 for the constant loads and to 3λ for the
-        // increasing loads at the load factor λ. So λ counts as zero up to 256 ε · 2/3, with the machine epsilon ε.
+        // The load factor λ counts as zero if the size 3λ of the increasing part is at most 256 machine epsilons times
+        // the size 2 of the constant part.
         assert!(constant(0.0).is_nothing(SUM_ROUNDING * 0.66));
         assert!(!constant(0.0).is_nothing(SUM_ROUNDING * 0.67));
         // The pressure of this candidate is zero at every load factor, so it is never tensile.

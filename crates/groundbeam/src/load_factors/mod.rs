@@ -1,18 +1,13 @@
 //! Computes the load factors of the first lift-off and of the loss of equilibrium.
 //!
-//! The loads D are constant, and the loads λG increase with the factor λ. Neither load factor requires solutions
-//! at trial values of λ.
+//! The loads D are constant, and the loads λG increase with the factor λ. No solution at a trial value of λ is needed.
 //!
-//! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
-//!   forces are p_D + λ p_G. Here p_D is due to the loads D and the initial gap, and p_G is due to the loads G
-//!   (`bonded.rs`). The beam is in full contact if and only if the pressure and all concentrated forces are
-//!   nonnegative. They are then the Lagrange multiplier of the contact problem, which has a unique solution.
-//!   The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without tensile pressure
-//!   form an interval. Newton's method from above decreases to the upper end of this interval without passing it
+//! * *First lift-off.* In full contact, pressure and concentrated forces are p_D + λ p_G (`bonded.rs`). Their minimum
+//!   over the beam is a concave function of λ. So Newton's method from above decreases to the largest λ without tension
 //!   (`lift_off_candidate.rs`). With one-way supports the problem is piecewise linear (`one_way.rs`).
 //! * *Loss of equilibrium.* The loads must do negative work in each free rigid motion
-//!   ([`existence`](crate::existence)). This work is linear in λ, so the factor is the first root of a few
-//!   linear functions.
+//!   ([`existence`](crate::existence)). This work is linear in λ, so the factor is the first root of a few linear
+//!   functions.
 
 mod bonded;
 mod lift_off_candidate;
@@ -39,9 +34,8 @@ pub struct LoadFactors {
     pub loss_of_equilibrium: LossOfEquilibrium,
 }
 
-/// The load factors λ > 0 at which the beam first lifts off and at which equilibrium is lost. λ multiplies the
-/// loads that `grows` selects by their index in [`Model::loads`]. The other loads, the gap, the supports and
-/// the axial force are constant.
+/// Computes the load factors λ > 0 of first lift-off and of the loss of equilibrium. λ multiplies the loads that
+/// `grows` selects by their index in [`Model::loads`]. All other data of the model are constant.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model, load_factors, load_factors::{FirstLiftOff, LossOfEquilibrium}};
@@ -60,19 +54,18 @@ pub struct LoadFactors {
 ///
 /// # Errors
 ///
-/// Returns the errors of [`solve`](crate::solve()), and [`Error::Unsupported`] for compression that the ground
-/// must help to bear. The factor of first lift-off is returned only if the certificate of the fields at that
-/// factor holds.
+/// Returns the errors of [`solve`](crate::solve()), [`Error::Unsupported`] for compression that the ground must help to
+/// bear, and [`Error::NotConverged`] if the certificate of the fields at first lift-off fails.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
     load_factors_with(model, &Options::default(), grows)
 }
 
-/// Computes the [`load_factors`] within the memory limit of the options. The [`Cancel`](crate::Cancel) of the
-/// options can stop the computation.
+/// Computes the [`load_factors`] within the memory limit of the options. The [`Cancel`](crate::Cancel) of the options
+/// can stop the computation.
 ///
 /// # Errors
 ///
-/// Returns the errors of [`load_factors`], and [`Error::Cancelled`] if the computation was cancelled.
+/// Returns the errors of [`load_factors`], and [`Error::Cancelled`] after a cancellation.
 pub fn load_factors_with(
     model: &Model,
     options: &Options,
@@ -212,8 +205,8 @@ mod tests {
 
     #[test]
     fn a_heavy_infinite_beam_under_a_force() {
-        // By Weitsman (1970), an infinite beam of weight q per length under a downward force F begins to lift off the
-        // ground at F = 2 e^π q/β. Lift-off occurs at the distance π/β on each side of the force, with β⁴ = k/(4 EI).
+        // By Weitsman (1970), an infinite beam of weight q per length first lifts off at the distance π/β from a
+        // downward force F = 2 e^π q/β, with β⁴ = k/(4 EI).
         let model = Model::new(Beam::uniform(60.0, 1.0), Foundation::winkler(4.0))
             .with_load(Load::uniform_force(0.0, 60.0, 3.0))
             .with_load(Load::point_force(30.0, 1.0));
@@ -326,9 +319,8 @@ mod tests {
 
     #[test]
     fn the_gap_acts_with_the_constant_loads() {
-        // A rigid beam of length l on Winkler ground carries a uniform load with the resultant F. The initial gap is
-        // constant, so it does not change the pressure. The beam lifts off when the moment of the loads about its
-        // middle reaches M = F l/6.
+        // A rigid beam of length l under a uniform load with the resultant F lifts off at the moment F l/6 about its
+        // middle. A constant initial gap does not change the pressure.
         let ground = Foundation::winkler(1.0);
         let footing = rigid(ground)
             .with_load(Load::uniform_force(0.0, 1.0, 1.0))
@@ -366,8 +358,8 @@ mod tests {
         assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
     }
 
-    /// Under forces at the middle of the beam, the static reactions at both ends vanish at the same load factor. The
-    /// result names the motion that lifts the left end, not the one that lifts the right end.
+    /// Under forces at the middle, the static reactions at both ends vanish at the same load factor. The result names
+    /// the motion that lifts the left end.
     #[test]
     fn of_two_simultaneous_motions_the_first_is_named() {
         let model =
@@ -379,9 +371,8 @@ mod tests {
         assert_eq!(motion.work.to_bits(), 0);
     }
 
-    /// A hinge divides the beam of length l in the middle. Only the left half is loaded: by the load q on [0, l/2] and,
-    /// at its left end, by an upward force equal to the load factor λ. Equilibrium is lost at λ = ql/4, because q alone
-    /// causes the reaction ql/4 at the left end of a simply supported left half.
+    /// A hinge divides the beam of length l in the middle. The left half carries the load q and an upward force λ at
+    /// its left end. Equilibrium is lost if λ exceeds ql/4, the reaction to q at this end.
     #[test]
     fn an_unloaded_piece_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {

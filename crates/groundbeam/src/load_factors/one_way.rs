@@ -1,13 +1,11 @@
 //! Computes the load factor of first lift-off with one-way supports, by ranges of the factor with the same active supports.
 //!
-//! While the beam is in contact along its whole length, the problem is linear except for the one-way supports. For
-//! fixed active supports, the force of each active support and the clearance of each inactive support are linear in the
-//! load factor λ. Together they form a linear complementarity problem with a positive definite matrix, because the
-//! ground alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a factor.
-//! In each step, the first support whose force or clearance is negative, or is zero and decreases with λ, changes
-//! between active and inactive (K. G. Murty, *Note on a Bard-type scheme for solving the complementarity problem*,
-//! Opsearch 11 (1974) 123–130). The set of active supports is valid up to the factor at which the first force or
-//! clearance becomes zero. At this factor the next range begins.
+//! For fixed active supports and full contact, the force of each active support and the clearance of each inactive
+//! support are linear in the load factor. A range of the factor ends where the first of them becomes zero. The supports
+//! that are active just beyond the start of a range follow from a linear complementarity problem. Its matrix is
+//! positive definite, because the ground alone supports the beam. By Murty's pivoting, the first support whose force or
+//! clearance is negative, or is zero and decreases, changes between active and inactive (K. G. Murty, *Note on a
+//! Bard-type scheme for solving the complementarity problem*, Opsearch 11 (1974) 123–130).
 
 use crate::cancel::Cancel;
 use crate::contact::state::ContactState;
@@ -27,9 +25,8 @@ use crate::solution::certificate::Certificate;
 /// beginning of a range.
 const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
-/// Relative tolerance below which a force or a clearance counts as zero. Forces are compared with the sum of all
-/// reactions and loads, clearances with the largest deflection. The load factor at the start of a range has
-/// about this relative accuracy.
+/// Tolerance for zero forces, relative to the sum of all reactions and loads, and for zero clearances, relative to the
+/// largest deflection. The load factor at the start of a range has about this accuracy.
 const ZERO_FORCE: f64 = 1e-11;
 
 /// At the load factor at which equilibrium is lost, no certificate exists. The fields are therefore computed at no more
@@ -90,9 +87,8 @@ pub(crate) fn first_lift_off(
 }
 
 impl FactorRange {
-    /// Returns the range that begins at a load factor. The search starts from the active supports of the
-    /// previous range. `ended` is the support whose force or clearance became zero at the end of the previous
-    /// range; this force or clearance counts as zero in spite of its rounding error.
+    /// Returns the range that begins at `factor`. The search starts from the active supports `acts` of the previous
+    /// range. The force or clearance of the support `ended`, which ended the previous range, counts as zero.
     fn beginning(
         parts: &Parts,
         factor: f64,
@@ -239,9 +235,8 @@ mod tests {
         assert_eq!(x, 0.0);
     }
 
-    /// A force F at the right end lowers that end by 4F/(kl) and raises the left end by 2F/(kl). The left end
-    /// lifts off at F = ql/2. If a bearing at depth δ is under the left end, the beam leaves the bearing
-    /// earlier, at F = (q − kδ) l/2.
+    /// Under a force F at the right end, the left end lifts off at F = ql/2. The beam leaves a bearing at the depth δ
+    /// under this end earlier, at F = (q − kδ) l/2.
     #[test]
     fn a_bearing_that_the_beam_leaves_does_not_change_the_factor() {
         for supports in [
@@ -257,9 +252,8 @@ mod tests {
         }
     }
 
-    /// An increasing force at the right end raises the left end and lowers the right end. If the left end meets
-    /// a hold-down, the hold-down restrains it. If the right end meets a bearing, the bearing carries the whole
-    /// further increase of the force.
+    /// A force at the right end raises the left end and lowers the right end. A hold-down restrains the left end. A
+    /// bearing at the right end carries all further force.
     #[test]
     fn a_support_that_the_beam_meets_may_prevent_lift_off() {
         for supports in [
@@ -273,9 +267,8 @@ mod tests {
         }
     }
 
-    /// A support that the beam just touches at the load factor 0 carries no force at this factor. The derivative
-    /// of its force or clearance with respect to the load factor decides whether the beam presses on the support
-    /// or leaves it.
+    /// For a support that the beam just touches at the load factor 0, the derivative of its force or clearance decides
+    /// whether the support acts.
     #[test]
     fn a_support_that_just_touches_acts_by_its_rate() {
         let free = lift_off(1e3, &[]);
@@ -288,18 +281,15 @@ mod tests {
         }
     }
 
-    /// A rigid beam of length l on Winkler ground k carries the load q and a force F at the right end. The
-    /// deflection at the middle is q/k + F/(kl), with q/k = 0.6. At F = kδl − ql the beam meets a bearing under
-    /// the middle at the depth δ. From then on the rotation of the beam is 6F/(kl²), and the left end lifts off
-    /// at F = kδl/3.
+    /// A rigid beam of length l on springs k carries the load q and a force F at the right end. At F = kδl − ql, the
+    /// beam meets a bearing under the middle at the depth δ. The left end then lifts off at F = kδl/3.
     #[test]
     fn a_support_that_the_beam_meets_may_cause_earlier_lift_off() {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
-            // The deflection under the load q alone is 0.6, so a bearing under the left end at the depth 0.58 carries a
-            // force. A force F at the right end raises the left end by 2F/(kl). So the beam leaves this bearing at F =
-            // (0.6 − 0.58) kl/2, before it meets the bearing under the middle.
+            // The beam leaves a bearing under the left end at the depth 0.58 when the force at the right end is 0.1. It
+            // meets the bearing under the middle later.
             leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
             leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
         }
@@ -316,9 +306,8 @@ mod tests {
         assert_eq!(lift_off(RIGID, &[hold_down(0.0, 2.0)]), FirstLiftOff::AtOnce);
     }
 
-    /// A rigid beam of length l = 2 on Winkler ground with k = 5 carries the load q = 3. A bearing under its left end
-    /// is at the depth δ = 0.4. By equilibrium, the bearing force is (q − kδ) l/4 = 1/2, and the depth of the right end
-    /// is δ + 3(q − kδ)/(2k) = 0.7. So the right end is 0.2 below a hold-down at the depth 0.5.
+    /// On a bearing under the left end at the depth δ = 0.4, the bearing force is (q − kδ) l/4 = 1/2. The right end is
+    /// at the depth δ + 3(q − kδ)/(2k) = 0.7, which is 0.2 below the hold-down.
     #[test]
     fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)

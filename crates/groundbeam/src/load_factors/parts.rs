@@ -10,9 +10,8 @@ use crate::model::{Load, Model};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(tag = "when", rename_all = "kebab-case"))]
 pub enum FirstLiftOff {
-    /// At every factor, however small, a part of the beam is out of contact. Without constant loads and
-    /// without a gap the fields are proportional to the factor, so only this variant and [`Self::Never`] are
-    /// possible.
+    /// A part of the beam is out of contact at every factor, however small. Without constant loads and without a gap,
+    /// only this variant and [`Self::Never`] are possible.
     AtOnce,
     /// The beam is in contact along its whole length up to `factor`. At larger factors a part of the beam is
     /// out of contact.
@@ -27,9 +26,8 @@ pub enum FirstLiftOff {
     Never,
 }
 
-/// A model whose loads are split into constant and increasing loads. The gap and the settlements of supports
-/// belong to the constant loads. A model with only the constant or only the increasing loads keeps the positions
-/// of all loads as nodes of its mesh.
+/// Model whose loads are split into constant and increasing loads. The gap and the settlements of supports belong to
+/// the constant loads. The models of both groups have the same required nodes.
 pub(crate) struct Parts<'a> {
     pub model: &'a Model,
     pub grows: Vec<bool>,
@@ -88,10 +86,8 @@ impl<'a> Parts<'a> {
                     LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
             }
         }
-        // If neither the constant nor the increasing loads do work in some rigid motion, existence depends on the
-        // concentrated contact forces that a shear layer or a support can exert. It is enough to check existence at one
-        // load factor. This factor must be smaller than every factor at which the work in another rigid motion becomes
-        // positive.
+        // If neither group of loads does work in some rigid motion, concentrated contact forces of a shear layer or a
+        // support decide whether an equilibrium exists. A check at one load factor below `least` is sufficient.
         let within = if least.is_finite() { 0.5 * least } else { 1.0 };
         match existence(&self.at(within)).verdict {
             Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
@@ -103,13 +99,12 @@ impl<'a> Parts<'a> {
 /// The factor beyond which no equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LossOfEquilibrium {
-    /// No equilibrium exists at any load factor, however small. In this rigid motion the beam presses nowhere on the
-    /// ground, and one of three cases applies:
+    /// No equilibrium exists at any load factor. In this rigid motion, the beam presses nowhere on the ground, and one
+    /// of three cases applies:
     ///
     /// * The constant loads do positive work.
     /// * The constant loads do no work, and the increasing loads do positive work.
-    /// * Neither the constant nor the increasing loads do work, and one of the loads needs a concentrated contact force
-    ///   that the ground cannot exert.
+    /// * Both groups of loads do no work, and one load needs a concentrated contact force that the ground cannot exert.
     AtOnce(RigidMotion),
     /// An equilibrium exists for every factor below `factor`, but for no factor slightly above it.
     At {

@@ -327,8 +327,8 @@ impl Cell {
         self.set_ground(&GroundStretch { subgrade, shear_layer }, shear.ends);
     }
 
-    /// Converts the data of the cell to dual numbers with derivatives with respect to N parameters. Entry i of `by`
-    /// contains the derivatives with respect to parameter i; `None` means that all of them are zero.
+    /// Returns the cell in dual numbers. Entry i of `by` contains the derivatives of all data with respect to parameter
+    /// i; `None` stands for zero derivatives.
     pub fn lifted<const N: usize>(&self, by: [Option<&Cell>; N]) -> Cell<Dual<N>> {
         let dual = |number: &dyn Fn(&Cell) -> f64| Dual {
             value: number(self),

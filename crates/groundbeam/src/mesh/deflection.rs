@@ -76,9 +76,8 @@ impl<R: Real> Deflection<'_, R> {
         cell.ground_at(point.s)[1] * (slope - cell.free_field_at(point.s)[1])
     }
 
-    /// Point force −\[μψ'\] of the ground at the left node of cell i. Here \[ \] denotes the jump at the node, and ψ
-    /// is the deflection minus the initial gap and the free-field settlement. The force is positive where a corner of
-    /// the beam is pressed into the ground.
+    /// Returns the point force of the ground at the left node of cell i, which is [`Self::flux`] on the left minus
+    /// [`Self::flux`] on the right. It is positive where a corner of the beam is pressed into the ground.
     pub fn corner(&self, i: usize) -> R {
         let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
         let ([_, before], [after, _]) = (a.shear_layer_ends(), b.shear_layer_ends());
@@ -101,16 +100,15 @@ impl<R: Real> Deflection<'_, R> {
 }
 
 impl Deflection<'_> {
-    /// Whether a zone is a single point at which a rigid support holds the beam exactly at the surface of the ground.
-    /// Such a zone is not a contact zone, because its ground reaction is only a rounding error.
+    /// Whether a zone is a single point that a rigid support holds at the surface of the ground. The ground reaction of
+    /// this point is only a rounding error.
     pub fn is_held(&self, zone: &MeshZone) -> bool {
         let BeamPoint { cell, s } = zone.from;
         zone.from == zone.to && s.abs() == 1.0 && self.held_zeros(cell)[usize::from(s > 0.0)] > 0
     }
 
-    /// Returns the order of the zero of ψ that a rigid support causes at each end of a cell. ψ is the deflection minus
-    /// the initial gap and the free-field settlement. The order is 2 if a clamp gives ψ = ψ' = 0 up to rounding error,
-    /// 1 if a support gives only ψ = 0, and 0 otherwise.
+    /// Returns the order of the zero of ψ ([`Self::obstacle`]) that a rigid support causes at each end of a cell. The
+    /// order is 2 if ψ' is also zero up to rounding error, and 0 without a zero.
     pub fn held_zeros(&self, cell: usize) -> [usize; 2] {
         let coefficients = self.cell(cell);
         let is_rounding = |value: f64, size: f64| value.abs() <= SUM_ROUNDING * size;
@@ -147,8 +145,8 @@ pub(crate) fn pressure_of<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) ->
     pressure
 }
 
-/// Computes the coefficients of the contact pressure from those of the deflection w, on a stretch of half length
-/// `half`. The pressure includes the effects of the initial gap and of the loads on the ground.
+/// Computes the coefficients of the contact pressure, including the effects of the initial gap and of the loads on the
+/// ground, from those of the deflection on a stretch of half length `half`.
 pub(crate) fn pressure_under<R: Real>(
     cell: &Cell<R>,
     half: f64,

@@ -37,9 +37,8 @@ impl<R: Real> Motion<'_, R> {
     }
 }
 
-/// Computes the bilinear form of the beam energy for two states of the beam: deflection w with rotation φ, and
-/// deflection z with rotation ψ. The form is ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z'), with the axial force P, plus
-/// the terms of the springs at supports and in hinges. Without shear deformation the integral is ∫(EI w″z″ + P w'z').
+/// Computes the bilinear form ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') of the beam energy plus the terms of all
+/// springs. Deflection and rotation are w and φ in `a`, z and ψ in `b`. P is the axial force.
 pub(crate) fn beam_form<R: Real>(mesh: &Mesh<R>, a: Motion<R>, b: Motion<R>) -> R {
     let mut sum = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -90,10 +89,8 @@ pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
     work
 }
 
-/// Computes the work that the ground reactions do in a displacement δ of the beam. The ground is bonded to the beam on
-/// `zones` and settles there by ψ, the deflection minus the initial gap and the free-field settlement. If `zones` is
-/// the contact set of ψ, the work is the first variation of the ground energy. In each cell of the mesh, ψ and δ are
-/// polynomials.
+/// Computes the work of the ground reactions to the settlement `psi` in the displacement `delta`. The ground is bonded
+/// to the beam on `zones` and out of contact elsewhere.
 pub(crate) fn ground_work<R: Real>(
     mesh: &Mesh<R>,
     zones: &[MeshZone],
@@ -176,8 +173,8 @@ fn turning<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
     inner(&product(&cell.stiffness_along(), &derivative(f)), &derivative(g), 0)
 }
 
-/// Computes the shear integral ∫ S γ₁γ₂ ds over \[−1, 1\] in a cell of length h, for two pairs of a deflection w and
-/// a rotation φ. Here γ₁ and γ₂ are the shear strains dw/dx − φ of the two pairs.
+/// Computes the shear integral ∫ S γ₁γ₂ ds over \[−1, 1\] in a cell of length h. `a` and `b` are pairs of a deflection
+/// w and a rotation φ with the shear strain γ = dw/dx − φ.
 fn shearing<R: Real>(shear: &[R], h: f64, a: [&[R]; 2], b: [&[R]; 2]) -> R {
     let strain = |[w, rotation]: [&[R]; 2]| {
         let mut strain = derivative(w).at_least(rotation.len());

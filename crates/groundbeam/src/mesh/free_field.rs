@@ -1,14 +1,10 @@
 //! The free-field settlement u₀ under the beam and outside it, from the loads on the ground.
 //!
-//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line without a beam, where q is the load on the ground. The contact
-//! pressure p adds the settlement G p, where G is Green's operator of the ground. In a contact zone, the deflection w
-//! minus the initial gap g₀ is u₀ + G p. So u₀ acts on the beam like an additional initial gap.
+//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line without a beam, where q is the load on the ground. It acts on the
+//! beam like an additional initial gap.
 //!
-//! On a strip of ground with constant k and μ under linear q, u₀ = q/k + e. The term e is a solution for unloaded
-//! ground. Its values at both ends of the strip determine it.
-//!
-//! The ground is a series of [two-ports](TwoPort), and the loads on each strip are replaced by equivalent forces at
-//! its ends. The values of u₀ at the ends of the strips follow from sums, products and quotients of positive numbers.
+//! On a strip of ground with constant k and μ under linear q, u₀ = q/k + e, where e is a solution for unloaded ground.
+//! The strips are [two-ports](TwoPort) in series, with equivalent forces at their ends in place of q.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -97,8 +93,8 @@ pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     }
 }
 
-/// Returns the work that all loads on the ground do through the free-field settlement, minus the work that the loads
-/// outside the beam would do if the settlement were fixed to zero at the beam's ends.
+/// Returns the work of all loads on the ground in the free-field settlement, minus the work of the loads outside the
+/// beam with the settlement of the beam's ends fixed to zero.
 pub(crate) fn work_of_loads<R: Real>(line: &Line<R>, cells: &[Cell<R>]) -> R {
     let [(mut strips, held_left), (right, held_right)] =
         [false, true].map(|right| beside(line, right));
@@ -126,13 +122,13 @@ fn work<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> R {
         if strip.load == [R::ZERO; 2] {
             continue;
         }
-        // On each strip, the settlement is q/k + e, with the load q and a solution e of the equation for unloaded
-        // ground. So the work of q is ∫q²/k dx + ∫q e dx. The second integral is the sum, over both ends of the strip,
-        // of the equivalent force of q times the value of e.
+        // The settlement is q/k + e, where e solves the equation for unloaded ground. So the work of the load q is
+        // ∫q²/k dx + ∫q e dx.
         let length = strip.x[1] - strip.x[0];
         work += (a * a + a * b + b * b) * (length / 3.0) / strip.spring;
         if strip.shear.value() > 0.0 {
             let link = TwoPort::uniform(strip.spring, strip.shear, length);
+            // ∫q e dx is the sum of the equivalent force of q times the value of e over both ends of the strip.
             let [left, right] = carried(strip, &link);
             work += left * ends[0] + right * ends[1];
         }
@@ -200,8 +196,8 @@ fn value_at<R: Real>(
         .unwrap_or(R::ZERO)
 }
 
-/// Returns the strips of ground outside one end of the beam, ordered from this end outward and cut at the ends of
-/// loads. Also returns whether the settlement of the far end is held at zero.
+/// Returns the strips of ground outside one end of the beam, ordered outward and cut at the ends of loads. Also returns
+/// whether the settlement of the far end is held at zero.
 fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
     let (l, beyond) = (line.length, line.beyond[usize::from(right)]);
     let outward = |x: f64| if right { x - l } else { -x };

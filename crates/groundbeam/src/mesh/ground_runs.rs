@@ -10,9 +10,8 @@ pub(crate) struct GroundRun<R = f64> {
     pub cells: Range<usize>,
     /// Whether μ > 0.
     pub pasternak: bool,
-    /// Stiffness of the ground beyond the left and the right end of the run \[N/m\]. At an end of the beam, this is
-    /// the stiffness of the ground outside the beam. Between two runs under the beam it is 0, because runs with and
-    /// without a shear layer are not coupled.
+    /// Stiffness of the ground beyond the left and the right end of the run \[N/m\]. It is 0 between two runs, because
+    /// ground with and without a shear layer is not coupled.
     pub beyond: [R; 2],
 }
 

@@ -47,8 +47,8 @@ impl<R: Real> GroundStretch<R> {
         squared.into_iter().fold(0.0, f64::max) <= 1.0
     }
 
-    /// Computes the equivalent springs, a [`TwoPort`], of the ground out of contact. The stretch is halved until a power
-    /// series with few terms represents the ground displacement. `half` is half the length of the stretch.
+    /// Computes the [`TwoPort`] of the ground out of contact. A stretch of half length `half` is halved until one short
+    /// power series represents the ground displacement.
     pub fn two_port(self, half: f64) -> TwoPort<R> {
         self.halved(half, MOST_HALVINGS)
     }

@@ -1,7 +1,7 @@
 //! Builds a mesh of dual numbers (values with derivatives) from a model and the derivatives of the model data.
 //!
-//! All quantities of cells and nodes are linear in the quantities of the model. So their derivatives are the
-//! quantities of a second mesh, which is built from the derivatives of the model.
+//! The data of cells and nodes are linear in the data of the model. So a mesh of the derivatives of the model contains
+//! their derivatives.
 
 use crate::ground::link;
 use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
@@ -71,9 +71,8 @@ impl Mesh {
         }
     }
 
-    /// Sets the derivatives of all data of the mesh `into` to those with respect to the parameters of `rates`. Before
-    /// the call, only the cells in `varied` have nonzero derivatives. Returns the cells whose derivatives may be
-    /// nonzero after the call.
+    /// Sets all derivatives of the mesh `into` from `rates`, and returns the cells whose derivatives may then be
+    /// nonzero. Before the call, only the cells in `varied` may have nonzero derivatives.
     pub fn vary<const N: usize>(
         &self,
         rates: &Rates,

@@ -1,7 +1,7 @@
 //! Mesh of a model, with cells in which all data are polynomials, most of them constant or linear.
 //!
-//! Nodes are required at loads, supports, hinges, ends of segments and of distributed loads, and corners of the
-//! initial gap. Each solution method adds further nodes.
+//! Nodes are required at point loads, supports, hinges and corners of the gap, and at the ends of segments and
+//! distributed loads. Each solution method adds nodes.
 
 use crate::ground::link;
 use crate::mesh::cell::Cell;
@@ -72,17 +72,15 @@ impl Mesh {
         Self::cut(model, more, |cell, x| x.extend(cell.cuts(parts(cell))))
     }
 
-    /// Builds a mesh with the required nodes and with nodes at the positions `more`. The intervals between these nodes
-    /// are halved until short power series represent the data of each cell. Then `cut` appends the positions at which
-    /// each of these cells is divided further.
+    /// Builds a mesh whose intervals between the required nodes and `more` are halved until short power series
+    /// represent the data of each cell. `cut` appends the positions at which each cell is divided further.
     pub fn graded(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let axial = model.beam.axial_force;
         Self::cut(model, more, |cell, x| graded(cell, axial, &cut, x))
     }
 
-    /// Halves the intervals between the required nodes as [`Self::graded`] does, and calls `each` for every resulting
-    /// cell. The second argument of `each` is the number of equal parts into which the interval of the cell must be
-    /// divided for a short power series of the free-field settlement. Returns the number of intervals.
+    /// Halves the intervals between the required nodes as [`Self::graded`] does, and calls `each` for every cell and
+    /// the number of parts of its interval that the free-field settlement needs. Returns the number of intervals.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &required_positions(model, &[]));
         let axial = model.beam.axial_force;

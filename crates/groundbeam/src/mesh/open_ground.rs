@@ -8,12 +8,10 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
 use crate::numeric::real::Real;
 
-/// Computes the ground displacement u at the junctions of stretches of ground out of contact, from u at both ends of
-/// the series of stretches. Each stretch is given by its three equivalent springs, a [`TwoPort`]. Also returns the
-/// equivalent two-port of the whole series.
+/// Computes the ground displacement at the junctions of two-ports (the equivalent springs of ground out of contact) in
+/// series, from its values at both ends. Also returns the two-port of the whole series.
 ///
-/// The forward pass computes the equivalent two-port from the start to each junction. The backward pass computes u at
-/// each junction from this equivalent two-port and from the next two-port. Both passes add only positive stiffnesses.
+/// Both passes, forward and backward, add only positive stiffnesses.
 pub(crate) fn heights<R: Real>(
     links: &[TwoPort<R>],
     [start, end]: [R; 2],
@@ -36,8 +34,7 @@ pub(crate) fn heights<R: Real>(
     (values, so_far.last().copied())
 }
 
-/// Returns the three equivalent springs (the [`TwoPort`]) of the ground between two points. Beam and ground are not in
-/// contact between the points. Returns `None` if the points coincide.
+/// Returns the [`TwoPort`] of all [`open_links`] between two points in series. Returns `None` if the points coincide.
 pub(crate) fn open_link<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,
@@ -48,10 +45,8 @@ pub(crate) fn open_link<R: Real>(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// Returns the three equivalent springs (the [`TwoPort`]) of the ground in each cell between the points `from` and
-/// `to`. The beam is not in contact with the ground there. Both points lie in `run`, a series of cells with a shear
-/// layer. If `from` is `None`, all ground on the left of `to` is included, also outside `run`. If `to` is `None`, all
-/// ground on the right of `from` is included, also outside `run`.
+/// Returns the [`TwoPort`] of the ground out of contact in each cell between two points of `run`. If `from` or `to` is
+/// `None`, all ground to the left or to the right is included, also outside `run`.
 pub(crate) fn open_links<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,

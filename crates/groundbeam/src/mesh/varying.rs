@@ -5,9 +5,8 @@ use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, derivative, inner, product, rescale};
 use crate::numeric::real::Real;
 
-/// Computes the equivalent springs, a [`TwoPort`], of the ground out of contact in a part of a cell. The part is
-/// divided into stretches in which a power series with few terms represents the ground displacement. The two-ports of
-/// the stretches are connected in series.
+/// Computes the [`TwoPort`] of the ground out of contact in a part of a cell, from the two-ports of short stretches in
+/// series.
 pub(crate) fn link<R: Real>(cell: &Cell<R>, part: [f64; 2]) -> TwoPort<R> {
     // The local coordinates of the part give its length more accurately than the rounded positions of its ends.
     let half = 0.25 * (part[1] - part[0]) * cell.length();

@@ -9,9 +9,8 @@ pub struct Beam {
     pub length: f64,
     /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: f64,
-    /// Shear stiffness S = κGA \[N\] outside the segments, positive. If it is `None`, cross-sections stay normal to
-    /// the axis (Euler–Bernoulli). Otherwise cross-sections rotate by φ, and the shear strain is w' − φ = Q/S with
-    /// the shear force Q (Timoshenko).
+    /// Shear stiffness S = κGA \[N\] outside the segments, positive (Timoshenko beam). If it is `None`, the beam has no
+    /// shear deformation (Euler–Bernoulli beam).
     pub shear_stiffness: Option<f64>,
     /// Segments whose stiffnesses differ from those of the beam. Segments may adjoin but not overlap.
     pub segments: Vec<BeamSegment>,

@@ -4,10 +4,8 @@ use super::beam::Beam;
 use super::profile::{CellPolynomial, Profile};
 use super::soil::{GroundConstants, SoilModel};
 
-/// Pasternak foundation, or Winkler foundation if `shear_layer` is 0.
-///
-/// Outside the beam, k and μ keep their values at the beam's end until a segment begins or the ground
-/// [ends](GroundEnd).
+/// Pasternak foundation, or Winkler foundation if `shear_layer` is 0. Outside the beam, k and μ are constant until a
+/// segment begins or the ground [ends](GroundEnd).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foundation {
     /// Spring constant k \[N/m²\], the force per unit length of beam and unit deflection; positive.
@@ -19,9 +17,8 @@ pub struct Foundation {
     pub segments: Vec<FoundationSegment>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd; 2],
-    /// Soil data from which k and μ are computed; `None` if k and μ are given. With soil data, a solve sets
-    /// `subgrade` and `shear_layer`. For the modified Vlasov model, k and μ follow from the solution; for the other
-    /// models, they are known before the solve. Ground defined by soil data is uniform and infinite.
+    /// Soil data from which a solve computes `subgrade` and `shear_layer`; `None` if these constants are given. Ground
+    /// defined by soil data is uniform and infinite.
     pub soil: Option<SoilModel>,
 }
 

@@ -2,8 +2,7 @@
 
 /// Hinge at one point inside the beam, where w is continuous and w' may jump.
 ///
-/// The hinge transmits the moment M = −k_φ \[w'\]. Here \[w'\] is the jump of the slope, right minus left. A free
-/// hinge has k_φ = 0 and transmits no moment.
+/// The hinge transmits the moment M = −k_φ \[w'\], where \[w'\] is the jump of the slope, right minus left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hinge {
     /// Position of the hinge \[m\], inside the beam.

@@ -7,11 +7,10 @@ pub enum Action {
     /// paper. It may also act on the ground's surface.
     Force,
     /// Moment \[N·m\], or distributed moment \[N·m/m\]: gᵢ or g(x) in (4.7) of Kikuchi's paper. A positive moment turns
-    /// the beam clockwise, so that its right end moves down. A point moment M₀ at x does the work M₀·w'(x).
+    /// the beam clockwise, so that its right end moves down.
     Moment,
-    /// Imposed curvature κ₀ \[1/m\] due to a temperature gradient, shrinkage or a camber. The bending moment is
-    /// M = −EI (w″ − κ₀). Like w″, κ₀ is positive if it bends the ends of the beam down. An imposed curvature does no
-    /// work in rigid-body displacements.
+    /// Imposed curvature κ₀ \[1/m\] due to temperature, shrinkage or camber, with M = −EI (w″ − κ₀). It is positive if
+    /// it bends the ends of the beam down.
     Curvature,
 }
 

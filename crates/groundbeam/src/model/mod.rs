@@ -1,7 +1,6 @@
 //! Model of a beam on ground: beam, foundation, loads, supports, hinges, gap (section 2, Remarks 1 and 2 of Kikuchi's paper).
 //!
-//! All numbers of a model must belong to one coherent system of units: m, N, rad and derived units, or any other
-//! system in which force = stiffness × length. This module does not convert units.
+//! All numbers of a model must belong to one coherent system of units, such as m, N and rad.
 
 mod beam;
 mod foundation;
@@ -35,10 +34,8 @@ pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
 pub use train::{Axle, Train, UniformPart};
 
-/// Beam, the ground under it, and the loads on beam and ground.
-///
-/// The fields are plain data; [`Model::problems`] lists every violation of the rules. Positions `x` are
-/// measured from the beam's left end; deflections and forces are positive down.
+/// Beam, the ground under it, and the loads on both. Positions `x` are measured from the beam's left end. Deflections
+/// and forces are positive down. [`Model::problems`] lists every violation of the rules.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     /// The beam: its length, bending stiffness and axial force.

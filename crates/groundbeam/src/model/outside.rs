@@ -27,9 +27,8 @@ pub(crate) struct GroundOutside<R = f64> {
 }
 
 impl Foundation {
-    /// Returns the ground to the left or to the right of a beam of length `l`. `at_end` contains k and μ at the
-    /// beam's end, which apply outward until a segment begins. The result is empty if the ground under the beam's end
-    /// is a Winkler foundation, because its surface may jump at the beam's end.
+    /// Returns the ground outside one end of a beam of length `l`. `at_end` contains k and μ at this end. The result is
+    /// empty on Winkler ground, whose surface may jump at the beam's end.
     pub(crate) fn beyond(&self, right: bool, l: f64, at_end: [f64; 2]) -> GroundOutside {
         let own = |i: usize| {
             let segment = &self.segments[i];

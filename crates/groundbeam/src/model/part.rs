@@ -5,10 +5,8 @@ use super::{Extent, FoundationSegment, GapPoint, Hinge, Load, Model, Support};
 use crate::model::beam::BeamSegment;
 
 impl Model {
-    /// Returns the part of the model between `from` and `to`, with x measured from `from`. Hinges outside the part are
-    /// removed. Segments and loads on the ground are shifted, but not cut at the ends of the part. Outside the part,
-    /// they belong to the ground outside the beam or have no effect. The caller ensures that no support and no load on
-    /// the beam lies outside the part.
+    /// Returns the part of the model between `from` and `to`, with x measured from `from`. The ground remains whole. No
+    /// support and no load on the beam may lie outside the part.
     pub(crate) fn part(&self, [from, to]: [f64; 2]) -> Model {
         let shift = |x: f64| x - from;
         let mut part = self.clone();

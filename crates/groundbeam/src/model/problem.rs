@@ -24,10 +24,8 @@ pub enum Part {
     Gap(usize),
 }
 
-/// Violation of a rule of a model.
-///
-/// Positions are stored in `numbers`, so that the caller can choose their unit. `message` and `hint` refer to these
-/// positions as `{0}`, `{1}`, …; [`Problem::fill`] inserts the positions.
+/// Violation of a rule of a model. `message` and `hint` contain `{0}`, `{1}`, … in place of the positions in `numbers`.
+/// [`Problem::fill`] inserts these positions in any unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// A fixed code, one for each rule, such as `GB101`.

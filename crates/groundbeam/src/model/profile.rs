@@ -1,10 +1,8 @@
 //! Quantity along a segment, as a polynomial that is given by its control values.
 //!
-//! A polynomial of degree n is given by n + 1 control values, which are its Bernstein coefficients, as for a Bézier
-//! curve. The first and the last control value are the values of the polynomial at the segment's ends. The polynomial
-//! lies between the smallest and the largest control value, so positive control values are sufficient for a positive
-//! quantity. Mirroring the polynomial reverses the order of the control values. The control values of a part of the
-//! curve are sums of the given control values with positive weights.
+//! A polynomial of degree n has n + 1 control values, which are its Bernstein coefficients. The first and the last
+//! control value are its end values. The polynomial lies between its smallest and its largest control value, so
+//! positive control values are sufficient for a positive quantity.
 
 /// A quantity along a segment, from the left end to the right end.
 ///
@@ -24,8 +22,8 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Maximum number of control values (Bernstein coefficients). Six values describe a polynomial of degree 5, such
-    /// as E b d³/12 if the modulus E, the width b and the depth d vary linearly.
+    /// Maximum number of control values. Six values describe a polynomial of degree 5, such as E b d³/12 with linear
+    /// modulus E, width b and depth d.
     pub const MOST: usize = 6;
 
     /// Creates a constant profile.
@@ -156,8 +154,8 @@ impl Profile {
         CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
-    /// Computes the control values (Bernstein coefficients) of the profile between the positions `a` and `b`. Each
-    /// position is given by its two weights in a linear interpolation between the segment's ends.
+    /// Computes the control values of the profile between the positions `a` and `b`. A position is given by the weights
+    /// of both ends of the segment in a linear interpolation.
     fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];

@@ -5,8 +5,8 @@ use crate::numeric::tolerance;
 
 /// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
-/// The position of a train is that of its first axle, which is the axle farthest to the right. Distances are
-/// measured backward from the first axle.
+/// The position of a train is that of its first axle, which is farthest to the right. Distances are measured backward
+/// from this axle.
 ///
 /// ```
 /// use groundbeam::model::{Axle, Train};
@@ -53,10 +53,8 @@ pub struct UniformPart {
 }
 
 impl Train {
-    /// Distance within which two positions count as equal \[m\]. An axle within this distance of a load, a support or
-    /// an end of the beam is moved to that point.
-    ///
-    /// This distance is proportional to the length of the passage, as are the rounding errors of axle positions.
+    /// Distance \[m\] within which two positions count as equal, proportional to the length of the passage. An axle
+    /// this close to a load, a support or an end of the beam is moved to that point.
     pub fn same_place(&self, beam_length: f64) -> f64 {
         let [from, to] = self.passage(beam_length);
         tolerance::same_place(to - from)
@@ -67,9 +65,8 @@ impl Train {
         self.axles.iter().fold(0.0, |length, axle| length.max(axle.behind))
     }
 
-    /// First and last position of the first axle in a passage over the beam \[m\]. The passage begins when the first
-    /// axle, or the front end of the foremost finite distributed load, reaches the left end of the beam. It ends when
-    /// the last axle, or the rear end of the last finite distributed load, leaves the right end of the beam.
+    /// First and last position of the first axle in a passage \[m\]. The passage begins when the first axle or finite
+    /// load reaches the left end of the beam, and ends when the last one leaves the right end.
     pub fn passage(&self, beam_length: f64) -> [f64; 2] {
         let fronts = self.uniform.iter().map(|part| part.from).filter(|from| from.is_finite());
         let ends = self.uniform.iter().map(|part| part.to).filter(|to| to.is_finite());

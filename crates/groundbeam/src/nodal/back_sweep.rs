@@ -12,8 +12,8 @@ pub(crate) struct Fields<'a> {
     pub force: &'a mut [f64],
 }
 
-/// Sign of the direction of back-substitution along the beam: to the left end or to the right end. The
-/// back-substitution to the right end uses a mirrored coordinate, in which slopes have the opposite sign.
+/// Sign of the direction of back-substitution along the beam. To the right, the coordinate is mirrored, so slopes have
+/// the opposite sign.
 const LEFT: f64 = -1.0;
 const RIGHT: f64 = 1.0;
 
@@ -37,8 +37,8 @@ struct Back {
     elements: usize,
 }
 
-/// Back-substitutes from the node `meeting`, where the eliminations from both ends of the beam meet, to both ends of
-/// the beam. Writes the deflection w, the slope w' and the ground forces at all nodes in contact to `fields`.
+/// Back-substitutes from the node `meeting`, where the eliminations from both ends meet, to both ends. Writes the
+/// deflection, the slope and the ground forces at the nodes in contact to `fields`.
 pub(super) fn unfold(
     sides: &mut [Side; 2],
     w: f64,
@@ -155,9 +155,8 @@ fn recross<const SWEEPS: usize>(
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];
-            // Each step leads to the neighbouring node, except in a span out of contact, which is one element that
-            // covers many nodes. The last step in a stretch therefore leads to the stored node at the end of the
-            // stretch.
+            // Each step leads to the neighbouring node. The last step in a stretch leads to the stored end of the
+            // stretch, because a span out of contact is one element over many nodes.
             node[lane] = match (within[lane], towards[lane] == LEFT) {
                 (0, _) => stretches[lane].node,
                 (_, true) => node[lane] - 1,

@@ -1,13 +1,12 @@
 //! Stiffness, load vector and deflection of a uniform beam element off the ground, in closed form.
 //!
-//! The deflection satisfies EI w⁗ − P w″ = f − g' with the distributed force f and the distributed moment g. For an
-//! element of length h, with x = h s and t = P h²/EI, the solutions are
+//! The deflection satisfies EI w⁗ − P w″ = f − g' with the distributed force f, the distributed moment g and the axial
+//! force P. For an element of length h, with x = h s and t = P h²/EI, the solutions are
 //!
 //! w = w₀ + hθ₀ s + A s²c₂ + B s³c₃ + F₀ s⁴c₄ + F₁ s⁵c₅, cₙ = Σ (t s²)ⁱ/(2i + n)!.
 //!
 //! w₀ and θ₀ are the deflection and the rotation at the left end. A and B are constants of integration. F₀ is
-//! (f − g')h⁴/EI at the left end, and F₁ is the change of (f − g')h⁴/EI over the element. The formula is valid for
-//! tension and for compression.
+//! (f − g')h⁴/EI at the left end, and F₁ is the change of this term over the element.
 
 use crate::element::element::Element;
 use crate::mesh::cell::Cell;
@@ -15,8 +14,8 @@ use crate::mesh::cell::Cell;
 /// Maximum length of an element relative to √(EI/P), with the magnitude P of the axial force.
 pub(crate) const LONGEST_ELEMENT: f64 = 1.0;
 
-/// Number of coefficients of the power series of the deflection w in s = x/h, with the distance x from the left end of
-/// an element of length h. The first omitted term is less than 1/18! times the sum of the series.
+/// Number of coefficients of the power series of the deflection in s ∈ \[0, 1\] along an element. The first omitted
+/// term is less than 1/18! times the sum of the series.
 pub(crate) const NODAL_TERMS: usize = 18;
 
 /// A coefficient of the power series of the deflection w(s) is omitted if it is below this fraction of the larger of
@@ -36,18 +35,15 @@ pub(crate) struct Beam {
     tension: f64,
     /// The functions c₀ … c₅ in the [formula of the deflection](self), evaluated at the right end of the element.
     c: [f64; 6],
-    /// Determinant c₂² − c₁c₃ of the equations A c₂ + B c₃ = x and A c₁ + B c₂ = y, which give the constants of
-    /// integration A and B of the deflection for known x and y. The coefficients c₁, c₂ and c₃ are entries of `c`.
+    /// Determinant c₂² − c₁c₃ of the equations A c₂ + B c₃ = x and A c₁ + B c₂ = y for the constants of integration A
+    /// and B.
     determinant: f64,
-    /// Load terms F₀ and F₁ in the [formula of the deflection](self). F₀ is (f − g')h⁴/EI at the left end of the
-    /// element, with the distributed force f and the distributed moment g. F₁ is the change of this term over the
-    /// element.
+    /// Load terms F₀ and F₁ in the [formula of the deflection](self).
     load: [f64; 2],
     /// Resultant ∫f dx of the distributed force f on the element.
     force: f64,
-    /// Moment of the loads on the element about its left end, divided by the element length h. The integral is
-    /// ∫(f x + g) dx/h over the element, with the distance x from the left end, the distributed force f and the
-    /// distributed moment g.
+    /// Moment ∫(f x + g) dx of the distributed force f and the distributed moment g about the left end of the element,
+    /// divided by the element length.
     turn: f64,
     /// Distributed moment g at the right end of the element.
     moment_right: f64,
@@ -89,18 +85,16 @@ impl Beam {
         }
     }
 
-    /// Stiffness matrix for the variables (hθ, d₁, h d₂), given by its entries θθ, θ1, θ2, 11, 12 and 22. Here θ is
-    /// the rotation of the left end and h the element length. d₁ is the deflection of the right end relative to the
-    /// tangent at the left end, and d₂ is the rotation of the right end relative to the left end.
+    /// Stiffness matrix for (hθ, d₁, h d₂), given by its entries θθ, θ1, θ2, 11, 12 and 22. h is the element length. θ,
+    /// d₁ and d₂ are the unknowns of [`Element`] without w.
     pub fn stiffness(&self) -> [f64; 6] {
         let e = self.stiffness / self.determinant;
         let [_, c1, c2, c3, ..] = self.c;
         [self.tension, self.tension, 0.0, e * c1, -e * c2, e * (c2 - c3)]
     }
 
-    /// Load vector q for the variables v = (w, hθ, d₁, h d₂), where w is the deflection of the left end; the other
-    /// variables are those of [`Self::stiffness`]. The energy of the element is ½vᵀKv − qᵀv with the stiffness matrix
-    /// K.
+    /// Load vector q for v = (w, hθ, d₁, h d₂), with the unknowns (w, θ, d₁, d₂) of [`Element`] and the element length
+    /// h. The energy is ½vᵀKv − qᵀv with the stiffness matrix K.
     pub fn load(&self) -> [f64; 4] {
         let [c0, c1, c2, c3, c4, c5] = self.c;
         let [f0, f1] = self.load;
@@ -138,8 +132,8 @@ impl Beam {
         [(x * c2 - y * c3) / self.determinant, (y * c2 - x * c1) / self.determinant]
     }
 
-    /// Computes the coefficients of the deflection w(s), s ∈ \[0, 1\], from the deflection w and the rotation θ of
-    /// the left end and the deformation (d₁, d₂) of the element. Also returns the number of significant coefficients.
+    /// Computes the coefficients of the deflection in powers of s ∈ \[0, 1\], from the unknowns (w, θ, d₁, d₂) of
+    /// [`Element`]. Also returns the number of significant coefficients.
     pub fn unfold(&self, [w, theta, d1, d2]: [f64; 4]) -> ([f64; NODAL_TERMS], usize) {
         let [_, _, _, c3, c4, c5] = self.c;
         let ([f0, f1], h) = (self.load, self.length);

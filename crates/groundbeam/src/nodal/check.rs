@@ -21,10 +21,8 @@ struct Sums {
 }
 
 impl Sums {
-    /// Updates the partial sums and maxima with the ground forces `f`, the deflections `w` and the ground displacements
-    /// `u` at consecutive nodes of a row of equal elements. The first of these nodes has the number `from` in the row.
-    /// `gap` contains the sum of initial gap and free-field settlement at the first node of the row, and the increment
-    /// of this sum from node to node.
+    /// Adds the ground forces `f`, deflections `w` and ground displacements `u` at the nodes from number `from` of a
+    /// row. `gap` is the gap with free-field settlement at the row's first node, and its increment per node.
     #[inline(always)]
     fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };

@@ -9,17 +9,14 @@ use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
 use crate::nodal::{levels, newton};
 
-/// Computes the approximate contact edges of a beam without supports and hinges, on a mesh whose elements are short
-/// compared with the waves of the deflection. Returns `None` if the beam has supports or hinges, if it is so long and
-/// flexible that the mesh would be too large, if stiffness or ground varies along a segment, or if the contact
-/// iteration does not converge.
+/// Computes approximate contact edges on a mesh that resolves the waves of the deflection. Returns `None` with
+/// supports, hinges or varying segments, with too many waves, and without convergence.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let held = !(model.supports.is_empty() && model.hinges.is_empty());
     if held || model.varying_part().is_some() {
         return None;
     }
-    // The initial guess neglects shear deformation. With shear deformation, the deflection of each element is a power
-    // series, whose computation takes ten times as long and needs more memory.
+    // The initial guess neglects shear deformation, which would take ten times as long and need more memory.
     let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     if Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
         return None;
@@ -43,9 +40,8 @@ pub(crate) struct Coarse {
     pub edges: Vec<[f64; 2]>,
 }
 
-/// Computes the contact zones on a coarse mesh, for a beam whose deflection has only a few waves. Every interval
-/// between two required positions has `per_wave` elements per length 1/λ, where λ is the wave number of the beam on
-/// its ground, and at least two elements. Returns `None` if the contact iteration does not converge.
+/// Computes the contact zones on a mesh with `per_wave` elements per length 1/λ, where λ is the wave number of the beam
+/// on its ground. Returns `None` if the contact iteration does not converge.
 pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
     let axial_force = model.beam.axial_force;
     let wanted = |cell: &Cell| {
@@ -68,9 +64,8 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Co
     Some(Coarse { grid, workspace, edges })
 }
 
-/// The number of elements between two neighbouring positions at which the model requires a node increases with their
-/// distance, but only up to this distance. The unit of the distance is 1/λ, with the wave number λ of the beam on its
-/// ground.
+/// Length of an interval between required nodes beyond which its number of elements no longer increases. The unit is
+/// 1/λ, with the wave number λ of the beam on its ground.
 const MOST_COARSE: f64 = 64.0;
 
 /// Number of elements per length 1/λ, with the wave number λ of the beam on its ground, on a mesh whose contact edges

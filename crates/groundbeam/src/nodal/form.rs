@@ -1,22 +1,17 @@
 //! Energy of a beam element and its ground, as a function of the displacements of one end and the deformations of the element.
 //!
-//! A [sweep](super::sweep) eliminates the elements one after another, from one end of the beam. Let L be the length
-//! of an element. Its left end has the deflection w₁ and the rotation θ₁, and its right end has the deflection w₂ and
-//! the rotation θ₂. The displacements of the two ends are x₁ = (w₁, Lθ₁) and x₂ = (w₂, Lθ₂).
+//! A [sweep](super::sweep) eliminates the elements one after another. The left and the right end of an element of
+//! length L have the displacements x₁ = (w₁, Lθ₁) and x₂ = (w₂, Lθ₂), with the deflections w and the rotations θ. A
+//! rigid element has x₂ = T x₁ with T = \[\[1, 1\], \[0, 1\]\].
 //!
-//! A rigid element has x₂ = T x₁ with T = \[\[1, 1\], \[0, 1\]\]. The deformation of the element is d = x₂ − T x₁.
-//! The energy is a function of two other variables. The variable y = T⁻¹x₂ = (w₂ − Lθ₂, Lθ₂) contains the
-//! displacements that the left end would have for the same x₂ if the element were rigid. The variable e = y − x₁ =
-//! T⁻¹d is the difference to the actual displacements of the left end. Hence w₁ = y₁ − e₁, Lθ₁ = y₂ − e₂ and
-//! w₂ − w₁ = y₂ + e₁.
+//! The energy depends on y = T⁻¹x₂ and e = y − x₁. y contains the left displacements that x₂ would cause in a rigid
+//! element, and e is the deformation. Hence w₁ = y₁ − e₁, Lθ₁ = y₂ − e₂ and w₂ − w₁ = y₂ + e₁.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// Energy of an element as a function of the displacements y = (y₁, y₂) and the deformations e = (e₁, e₂) that the
-/// [module documentation](self) defines. The energy is ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂) with the stiffness
-/// matrix M and the load vector q. It has no quadratic term in y₁, because y₁ translates the whole element. The
-/// springs from the two ends to the rigid base are stored separately.
+/// Energy of an element in the [variables](self) y and e: ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂). The springs from
+/// the two ends to the rigid base are stored separately.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Form {
     /// Length L.
@@ -26,8 +21,8 @@ pub(crate) struct Form {
     pub m: [f64; 3],
     /// Entries e₁e₁, e₁e₂ and e₂e₂ of the stiffness matrix for the deformations e₁ and e₂.
     pub e: [f64; 3],
-    /// Load vector q of the first element of a run of equal elements. Its last two entries are stiffness times gap
-    /// for the springs from the left and the right end of the element to the rigid base.
+    /// Load vector q of the first element of a run of equal elements. Its last two entries are stiffness times gap for
+    /// the springs from both ends to the rigid base.
     pub q: [f64; 6],
     /// Increment of the load vector q from one element of a run of equal elements to the next.
     pub dq: [f64; 6],
@@ -40,10 +35,8 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// Returns the energy of a beam element without ground as a [`Form`], from its length L, its stiffness matrix for
-    /// (Lθ, d₁, L d₂) and its load vector for (w, Lθ, d₁, L d₂). Here w and θ are the deflection and the rotation of
-    /// the left end. The deformations d₁ and d₂ are the deflection and the rotation of the right end relative to a
-    /// rigid motion with the left end. The factor L gives all variables the unit of length.
+    /// Returns the energy of a beam element of length L without ground, from its stiffness matrix for (Lθ, d₁, L d₂)
+    /// and its load vector for (w, Lθ, d₁, L d₂). w, θ, d₁ and d₂ are the unknowns of [`Element`].
     pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
         let [tt, t1, t2, d11, d12, d22] = stiffness;
         let [qw, qt, q1, q2] = load;
@@ -56,8 +49,8 @@ impl Form {
         }
     }
 
-    /// Returns the energy of a beam element without ground as a [`Form`]. The [`Element`] must have no stiffness against
-    /// rigid translation.
+    /// Returns the energy of a beam element without ground. The [`Element`] must have no stiffness against rigid
+    /// translation.
     pub fn of(element: &Element) -> Self {
         let Element { length, stiffness: k, load: [qw, qt, q1, q2], .. } = element;
         let per = 1.0 / length;
@@ -89,8 +82,8 @@ impl Form {
         self
     }
 
-    /// Returns the energy of all elements of a run of `count` equal elements, whose loads change linearly from
-    /// element to element. `self` is the energy of the first element and `last` the energy of the last element.
+    /// Returns the energy of a run of `count` equal elements with linearly varying loads. `self` and `last` are the
+    /// energies of the first and the last element.
     pub fn towards(mut self, last: &Form, count: usize) -> Self {
         if count > 1 {
             let steps = (count - 1) as f64;

@@ -1,7 +1,7 @@
 //! Nodes and elements of the discrete problem, from a model.
 //!
-//! The grid stores rows of equal elements, not single elements. A row has only one element where EI, k or μ varies,
-//! where the beam has shear deformation, and where loads act on the ground.
+//! The grid stores rows of equal elements. A row has only one element where EI, k or μ varies, where the beam has shear
+//! deformation, and where loads act on the ground.
 
 use super::beam::{Beam, LONGEST_ELEMENT};
 use super::form::Form;
@@ -17,8 +17,8 @@ use crate::model::Model;
 use crate::nodal::beam::Given;
 use crate::numeric::polynomial::integral;
 
-/// Minimum bending stiffness of a beam on a coarse grid, relative to h²(P + μ + kh²), where h is the element length
-/// and P the tension. The bending stiffness of a softer beam is raised to this value.
+/// Minimum EI on a coarse grid, relative to h²(P + μ + kh²) with the element length h and the tension P. A smaller EI
+/// is raised to this value.
 const STIFF: f64 = 0.5;
 
 /// A run of equal elements.
@@ -31,9 +31,8 @@ pub(crate) struct Run {
     /// Sum of the initial gap and the free-field settlement at the first and the last node of this row. The sum is
     /// linear between these nodes.
     pub gap: [f64; 2],
-    /// Beam element without ground, if the row cannot be divided into equal elements. This is so where stiffness or
-    /// ground varies, where the beam has shear deformation, and where loads act on the ground. `None` for a row of
-    /// equal elements.
+    /// Beam element without ground of a row that is not uniform (see [`is_even`]) and so has only one element. `None`
+    /// for a row of equal elements.
     pub element: Option<Element>,
     /// First node of this row of equal elements.
     pub first: usize,
@@ -43,8 +42,8 @@ pub(crate) struct Run {
     pub h: f64,
     /// Two-port of the ground under one element.
     pub link: TwoPort,
-    /// Energy of the elements of this row, with ground bonded to both ends of each element. The first entry is for
-    /// the elimination from the left end of the beam, and the second entry for the elimination from the right end.
+    /// Energy of the elements of this row, with ground bonded to both ends of each element, for the elimination from
+    /// the left and from the right end of the beam.
     pub bonded: [Form; 2],
     /// Uniform ground under this row of equal elements.
     pub layer: Layer,
@@ -96,8 +95,8 @@ impl Run {
         run
     }
 
-    /// Computes the energy of the elements of this row, with ground bonded to both ends of each element. If
-    /// `mirrored` is true, the energy is for the elimination from the right end of the beam.
+    /// Computes the energy of the elements of this row with bonded ground, for the elimination from the left end of the
+    /// beam, or from its right end if `mirrored` is true.
     fn first_bonded(&self, axial_force: f64, mirrored: bool) -> Form {
         let turned = |pair: [f64; 2]| if mirrored { [pair[1], pair[0]] } else { pair };
         let link = if mirrored { self.link.mirrored() } else { self.link };
@@ -248,9 +247,8 @@ pub(crate) enum Ground {
     /// Ground reactions as point forces at the nodes, (5.5) of the paper. Between the nodes, the displacement of the
     /// ground is the exact solution for unloaded ground.
     Nodal,
-    /// Ground reactions as point forces at the nodes. The shear layer is linear between the nodes, and the springs
-    /// are lumped at the nodes by the trapezoidal rule. This rule is also used if an element is longer than the decay
-    /// length √(μ/k) of the ground.
+    /// Ground reactions as point forces at the nodes. Between the nodes the shear layer is linear. The springs are
+    /// lumped at the nodes by the trapezoidal rule, for elements of any length.
     Spread,
 }
 
@@ -265,8 +263,8 @@ pub(crate) struct Grid {
     /// Stiffness of the ground outside the left and the right end of the beam; √(kμ) if this ground is uniform and
     /// infinite.
     pub outside: [f64; 2],
-    /// Whether the iteration on this grid may stop while one node per contact zone still changes between contact and
-    /// no contact. This is accurate enough if the next grid is only a few times finer.
+    /// Whether the iteration may stop while one node per contact zone still changes between contact and no contact.
+    /// This is sufficient if the next grid is only a few times finer.
     pub rough: bool,
     /// Whether the sum of the initial gap and the free-field settlement is zero everywhere.
     pub flat: bool,
@@ -289,8 +287,8 @@ impl Grid {
         Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
     }
 
-    /// Creates a grid. For each cell, `divide` returns two values: the minimum number of elements, and a length. EI
-    /// is raised until the waves of the deflection are no shorter than this length.
+    /// Creates a grid. `divide` returns the minimum number of elements of a cell, and a length. EI is raised until the
+    /// waves of the deflection are no shorter than this length.
     pub fn cut(model: &Model, ground: Ground, divide: impl Fn(&Cell) -> (usize, f64)) -> Self {
         let axial_force = model.beam.axial_force;
         let count = |cell: &Cell| {

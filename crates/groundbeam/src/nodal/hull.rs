@@ -1,9 +1,9 @@
 //! Computes which nodes are in contact with the ground from the deflections of all nodes.
 //!
-//! The contact set solves the [obstacle problem](crate::contact::obstacle) of exact contact, but only at the nodes. A
-//! node can be in contact only if its ground force would be compressive with the ground bonded to all nodes. A row of
-//! consecutive nodes with this property is called an *arc*. A scan from left to right joins arcs to contact zones.
-//! The force at the end of a zone is monotone in the position of this end, so each end is found by bisection.
+//! The contact set solves the [obstacle problem](crate::contact::obstacle) at the nodes. Only nodes on which bonded
+//! ground would press can be in contact. Consecutive nodes of this kind form an *arc*. A scan from left to right joins
+//! arcs to contact zones. The force at the end of a zone is monotone in the position of this end, so bisection finds
+//! the end.
 
 use super::grid::Grid;
 use crate::ground::link::TwoPort;
@@ -144,8 +144,8 @@ impl Hull<'_> {
         link.force_left(self.psi(node), self.psi(node + 1))
     }
 
-    /// Force on a node from the ground to the right of it. This ground is out of contact up to the first node `next`
-    /// of the next zone, or to the far end of the ground if there is no next zone.
+    /// Force on a node from the ground to its right, which is out of contact up to the first node `next` of the next
+    /// zone, or up to the far end of the ground.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
         let psi = next.map_or(0.0, |next| self.psi(next));
         Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
@@ -156,9 +156,8 @@ impl Hull<'_> {
         Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
-    /// Returns the new last node of the contact zone from `from` to `to`. The ground between the returned node and
-    /// the first node `next` of the next zone is out of contact. The returned node is the last node on which the
-    /// ground then presses.
+    /// Returns the last node of the contact zone from `from` to `to` on which the ground presses if it is out of
+    /// contact between this node and the first node `next` of the next zone.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
         let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
         let presses = |back: usize| {
@@ -214,18 +213,16 @@ impl Hull<'_> {
     }
 }
 
-/// Ground out of contact on one side of a node that is tried as the end of a contact zone. `run` is the row of equal
-/// elements on this side of the node. `rest` contains the equivalent springs of the ground from the end of this row to
-/// the neighbouring contact zone. `rest` is stored for the next trial.
+/// Ground out of contact on one side of a node that is tried as the end of a contact zone. `rest`, the ground beyond
+/// the row `run`, is stored for the next trial.
 #[derive(Default)]
 struct Opening {
     run: usize,
     rest: Option<Rest>,
 }
 
-/// Equivalent springs of the ground between the end of a row of equal elements and the neighbouring contact zone. If
-/// there is no neighbouring zone, they represent all ground beyond the end of the row. `None` if the neighbouring
-/// zone reaches into the row.
+/// Two-port of the ground from the end of a row of elements to the neighbouring contact zone, or of all ground beyond
+/// the row. `None` if this zone reaches into the row.
 type Rest = Option<TwoPort>;
 
 impl Opening {

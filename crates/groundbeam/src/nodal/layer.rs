@@ -18,24 +18,21 @@ impl Layer {
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
     }
 
-    /// Creates uniform ground with nodes at equal distances h. The shear layer is linear between the nodes, and the
-    /// springs are lumped at the nodes by the trapezoidal rule. On unloaded ground, the displacement at node i is
-    /// then a combination of e^(βi) and e^(−βi), where sinh(β/2) = h√(k/μ)/2 defines β.
+    /// Creates uniform ground with springs at nodes at equal distances h and a shear layer that is linear between them.
+    /// Unloaded, it has the displacements e^(±βi) at node i, with sinh(β/2) = h√(k/μ)/2.
     pub fn at_nodes(spring: f64, shear: f64, h: f64) -> Self {
         if shear == 0.0 {
             return Layer::default();
         }
         let half = 0.5 * h * (spring / shear).sqrt();
-        // On unloaded uniform ground that extends from an end node to infinity, the ground displacement decays from
-        // node to node by the factor e^(−β), with sinh(β/2) = `half`. The force at the end node per unit displacement
-        // of this node is (μ/h) sinh β = √(kμ) cosh(β/2), with the node distance h.
+        // The force at the end node of infinite ground per unit displacement is (μ/h) sinh β = √(kμ) cosh(β/2), with
+        // sinh(β/2) = `half`.
         let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
         Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
 
     /// Two-port of ground of a given length, out of contact. It equals [`TwoPort::uniform`] but needs only one
-    /// exponential e^(−z), where z is the length times the rate of decay: 1/sinh z = 2e^(−z)/(1 − e^(−2z)) and
-    /// tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
+    /// exponential.
     pub fn open(&self, length: f64) -> TwoPort {
         if self.stiffness == 0.0 {
             return TwoPort::default();

@@ -10,8 +10,8 @@ use super::stretch::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
 
-/// A span of the beam out of contact. `side` states whether it is eliminated from the left or from the right end of
-/// the beam, and `stretch` is its index among the stretches that are eliminated from this end.
+/// A span out of contact, with its index `stretch` in the elimination from the left end (`side` 0) or the right end
+/// (1).
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Placed {
     pub span: Span,
@@ -19,8 +19,7 @@ pub(crate) struct Placed {
     pub stretch: usize,
 }
 
-/// Division of the beam into stretches. One elimination from the left end and one from the right end process the
-/// stretches one after another, up to the node where both eliminations meet.
+/// Division of the beam into stretches, for two eliminations from the ends of the beam to a meeting node.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Layout {
     pub sides: [Side; 2],
@@ -126,8 +125,7 @@ impl Layout {
         Ok(())
     }
 
-    /// Adds the span out of contact between the last node `behind` of one contact zone and the first node `to` of the
-    /// next zone, in the direction of the elimination. If `behind` is `None`, the span begins at the end of the beam.
+    /// Adds the span out of contact from the node `behind`, or from an end of the beam (`None`), to the node `to`.
     fn open(
         &mut self,
         grid: &Grid,

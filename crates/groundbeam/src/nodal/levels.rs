@@ -10,8 +10,7 @@ const COARSEST: f64 = 1.5;
 const STEP: f64 = 4.0;
 /// Minimum number of elements of a coarse grid whose element count follows from the ratio `STEP`.
 const FEWEST: f64 = 20.0;
-/// Maximum ratio of the element count of the finest coarse grid to the element count of the required grid. It limits
-/// a refinement of this coarse grid, which makes the contact edges more accurate.
+/// Maximum element count of the finest coarse grid after its refinement, relative to the required grid.
 const SHARE: f64 = 0.3;
 /// Maximum factor by which a refinement increases the element count of the finest coarse grid.
 const SHARPEST: f64 = 6.0;
@@ -21,10 +20,8 @@ const SHARP: f64 = 4.0;
 /// Maximum ratio of the element counts of two successive grids for which the coarser grid counts as `rough`.
 const FEW: f64 = 3.5;
 
-/// Writes the grids, from the coarsest grid to the required grid, to `grids`. The coarsest grid has only a few
-/// elements per wave of the deflection. The element counts are chosen so that Newton's method needs one or two steps
-/// per grid. On a grid that is too coarse for the waves of the deflection, EI is increased until no wave is shorter
-/// than an element.
+/// Writes the grids, from coarse grids with stiffened beams to the required grid. See sections 5 and 10 of
+/// docs/methods.md.
 pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
@@ -44,11 +41,10 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     let mut coarser = Vec::new();
     let mut last = wanted;
     loop {
-        // If a grid has the element length h, the next coarser grid has the element length √(h/λ), with the wave
-        // number λ of the beam. The contact edges of the coarser grid are then accurate to one or two nodes of the
-        // finer grid. The finest coarse grid may get up to `SHARPEST` times as many elements as this rule gives, so
-        // that its contact edges are at the correct nodes of the required grid.
+        // The next coarser grid has the element length √(h/λ), with the present element length h and the wave number λ.
+        // Its contact edges are then accurate to one or two nodes of the present grid.
         let mut next = (last * waves).sqrt();
+        // The finest coarse grid is refined, so that its contact edges are at the correct nodes of the required grid.
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {
             next *= sharper;
@@ -71,9 +67,8 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     coarser
 }
 
-/// Whether the iteration on a grid may stop while one node per contact zone still changes between contact and no
-/// contact. The grid must have at least `COARSEST` elements per length 1/λ, where λ is the largest wave number of the
-/// beam on its ground. The next grid must have fewer than `FEW` times as many elements.
+/// Whether the iteration on a grid may stop while one node per contact zone still changes. `waves` is the beam length
+/// times the largest wave number of the beam.
 fn is_rough(grid: &Grid, next: &Grid, waves: f64) -> bool {
     let [elements, finer] = [grid, next].map(|grid| grid.last() as f64);
     elements >= waves * COARSEST && finer < FEW * elements

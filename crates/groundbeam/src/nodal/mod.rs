@@ -1,11 +1,8 @@
 //! Solves Kikuchi's discrete problem (5.5), (5.10), (5.11), with ground forces at the nodes, for up to millions of elements.
 //!
-//! Between nodes the deflection is the exact solution of the beam equation, in place of the cubic element
-//! (5.2). The methods with a mesh, the solver for long beams and the first phase of the exact method use this
-//! solver. [Sweeps](sweep) from both ends of the beam eliminate rows of equal elements. Their variables are
-//! the deformations of the elements. Each stretch off the ground is condensed to [one element](span).
-//! Newton's method finds the contact zones, on [coarse meshes first](newton). A solve stores a few numbers
-//! per node.
+//! Between nodes the deflection is the exact solution of the beam equation, in place of the cubic element (5.2).
+//! [Sweeps](sweep) eliminate the elements, and [Newton's method](newton) finds the contact zones. See section 10 of
+//! docs/methods.md.
 
 pub(crate) mod back_sweep;
 pub(crate) mod beam;

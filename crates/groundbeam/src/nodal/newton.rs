@@ -125,9 +125,8 @@ impl Workspace {
         }
     }
 
-    /// Solves the bonded problem with contact in `zones`. Writes the deflection w, the slope w' and the ground
-    /// forces at the nodes in contact. `stabilisation` is the stiffness of the stabilising springs, which are at
-    /// rest at the previous deflection. After an error, deflection, slope and ground forces are unchanged.
+    /// Solves the bonded problem with contact in `zones`, and writes the fields at the nodes in contact.
+    /// `stabilisation` is the stiffness of the stabilising springs. After an error, the fields are unchanged.
     pub fn solve_bonded(
         &mut self,
         grid: &Grid,
@@ -152,8 +151,7 @@ impl Workspace {
         Ok(())
     }
 
-    /// Solves the bonded problem with stabilising springs, for a beam that the contact alone does not support. The
-    /// springs are at rest at the previous deflection. Returns the stiffness of the springs.
+    /// Solves the bonded problem with stabilising springs at rest at the previous deflection. Returns their stiffness.
     fn solve_stabilised(&mut self, grid: &Grid) -> Result<f64, NotSolved> {
         let mut spring = SOFTEST_SPRING * grid.stiffness();
         for _ in 0..SPRING_TRIALS {
@@ -203,8 +201,8 @@ impl Workspace {
         count(&self.zones) + count(&self.next) - 2 * both
     }
 
-    /// Stores the deflection and the ground forces before a step with line search. If `first` is true, the ground
-    /// forces at nodes out of contact are set to zero first, because full steps leave old values there.
+    /// Stores the deflection and the ground forces before a step. If `first` is true, the old forces at nodes out of
+    /// contact are set to zero.
     fn remember(&mut self, grid: &Grid, first: bool) {
         if first {
             clear(&mut self.force[..=grid.last()], &self.next);
@@ -221,8 +219,8 @@ impl Workspace {
         springs.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SPRING_FORCE * all)
     }
 
-    /// Iterates until a solve with given contact zones results in the same contact zones, within the tolerance of
-    /// `goal`. The first `whole` Newton steps are not shortened by a line search.
+    /// Iterates until the contact zones change by at most the tolerance of `goal`. The first `whole` steps are full
+    /// steps.
     fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), NotSolved> {
         let mut whole = whole;
         for step in 0..goal.steps {
@@ -287,12 +285,8 @@ impl Workspace {
         self.zones.iter().map(ends).collect()
     }
 
-    /// Position \[m\] of the contact edge near `node`, one end of a contact zone. The other end is `towards`.
-    ///
-    /// Let ξ be the distance from `node`, positive away from the zone. The pressure is assumed to be p₀ + p₁ξ up to
-    /// the edge at ξ = s, with the pressure p₀ at `node` and the pressure gradient p₁. A pressure at ξ > 0
-    /// contributes the fraction e^(−bξ) of its force to the ground force F at `node`, with b = √(k/μ). With the
-    /// element length h, this gives F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2. The function solves for s.
+    /// Position \[m\] of the contact edge near `node`, an end of the contact zone from `node` to `towards`. The
+    /// pressure is assumed to be linear up to the edge. See *Meshes* in section 10 of docs/methods.md.
     fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
         let x = grid.x(node);
         // At a hinge the slope is discontinuous, so the ground force includes a concentrated force.

@@ -12,8 +12,7 @@ use crate::numeric::elementary::{exp, expm1};
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |piece, own| {
-        // The value at a node between two pieces is written by the piece to the right of this node. The value at an
-        // end node of the span is written only if this end node is an end of the beam.
+        // The piece to the right of a node writes the value at this node.
         let ([from, to], length) = (piece.nodes, piece.length);
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
@@ -74,8 +73,7 @@ fn horner<const N: usize>(c: &[f64; NODAL_TERMS], s: impl Fn(usize) -> f64, into
     }
 }
 
-/// Writes the settlement u − u₀ relative to the free-field settlement u₀ at every node. In contact it is w − g₀ − u₀
-/// with the deflection w and the initial gap g₀. Out of contact it is the closed-form solution for ground without
+/// Writes the settlement minus the free-field settlement at every node. Out of contact, it is that of ground without
 /// pressure.
 pub(crate) fn settlement(
     grid: &Grid,
@@ -103,17 +101,16 @@ pub(crate) fn settlement(
     }
 }
 
-/// Writes the settlement u − u₀ of ground out of contact at the nodes strictly between `from` and `to`. `left` and
-/// `right` are the known settlements at `from` and `to`. `None` stands for an end of the beam out of contact. The
-/// settlement at such an end is computed and written too.
+/// Writes the settlement of open ground between the nodes `from` and `to` with the settlements `left` and `right`.
+/// `None` stands for an end of the beam out of contact, whose settlement is written too.
 fn ground(
     grid: &Grid,
     [from, to]: [usize; 2],
     [left, right]: [Option<f64>; 2],
     settlement: &mut [f64],
 ) {
-    // Each of the `parts` of the ground has one two-port. The first pass joins the two-ports from left to right.
-    // The second pass computes the settlements at the ends of the parts from right to left.
+    // A first pass joins the two-ports of all parts from left to right. A second pass computes the settlements from
+    // right to left.
     let parts: Vec<_> = grid.parts(from, to).collect();
     let beyond = TwoPort { shunt_right: grid.outside[0], ..TwoPort::default() };
     let mut before: Vec<TwoPort> = Vec::with_capacity(parts.len());
@@ -125,8 +122,8 @@ fn ground(
         so_far = Some(link);
     }
     let start = left.unwrap_or(0.0);
-    // `held` computes the settlement of a node between the two-port `link` on its left and ground of the stiffness
-    // `stiffness` on its right. At zero settlement, the ground on the right exerts the force `force` on the node.
+    // `held` computes the settlement of a node with the two-port `link` on its left. The ground on its right exerts
+    // `force` at zero settlement.
     let held = |link: &TwoPort, force: f64, stiffness: f64| {
         let all = link.series + link.shunt_right + stiffness;
         if all > 0.0 { (link.series * start + force) / all } else { 0.0 }
@@ -152,9 +149,8 @@ fn ground(
     }
 }
 
-/// Writes the settlement at equally spaced positions between two ends with the settlements `left` and `right`. At the
-/// distance x from the left end, it is (left·sinh(b(L − x)) + right·sinh(bx))/sinh(bL). Here L is the distance between
-/// the ends, and b = √(k/μ).
+/// Writes the settlement u of ground without pressure, μu″ = ku, at equal distances between two ends with given
+/// settlements.
 fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     if run.cell.shear_layer == 0.0 {
         return into.fill(0.0);

@@ -11,14 +11,14 @@ use crate::numeric::line_search;
 const ROUNDING_SLOPE: f64 = 1e-28;
 
 impl Workspace {
-    /// Shortens the step δ from the previous to the current deflection by a line search on the energy. The slope of
-    /// the energy along δ is the sum Σ (p − f) δ over all nodes. At a trial deflection, p is the ground force of the
-    /// obstacle problem, and f is the ground force with which the beam is in equilibrium. Returns the step fraction,
-    /// or `None` if the energy does not decrease along δ.
+    /// Shortens the last step by a line search on the energy. Returns the step fraction; `None` if the energy does not
+    /// decrease.
     pub(crate) fn shorten(&mut self, grid: &Grid) -> Option<f64> {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);
         trial.resize(w1.len(), 0.0);
+        // The slope of the energy is Σ (p − f) δ, with the step δ, the ground forces p at the trial deflection, and the
+        // ground forces f with which the beam is in equilibrium.
         let mut slope = |t: f64| {
             for ((w, w0), w1) in trial.iter_mut().zip(&*w0).zip(w1) {
                 *w = w0 + t * (w1 - w0);

@@ -1,10 +1,8 @@
 //! Condenses the pieces of a beam span that is out of contact to one element.
 //!
-//! Two pieces joined at a node have six unknowns: deflection w and rotation θ of the left end, the deformations
-//! (D₁, D₂) of both pieces together, and the deformations (d₁, t) of the left piece. Deformations are the
-//! deflection and the rotation of the right end relative to a rigid motion with the left end. The rotation t
-//! includes the rotation jump of a hinge. The unknowns d₁ and t are eliminated. Back-substitution computes d₁ and t
-//! from the other four unknowns, so a long span does not amplify rounding errors.
+//! Two joined pieces have the unknowns (w, θ, D₁, D₂, d₁, t): displacements of the left end, deformations of both
+//! pieces together, and deformations of the left piece, which are eliminated. Deformations are displacements of the
+//! right end relative to the rigid motion of the left end. The rotation t includes the jump at a hinge.
 
 use super::beam::{Beam, Given, NODAL_TERMS};
 use super::grid::Grid;
@@ -21,21 +19,15 @@ pub(crate) struct Piece {
     pub length: f64,
     /// Closed form of the deflection of a uniform beam; `None` for a single element without a closed form.
     beam: Option<Beam>,
-    /// Coefficients of two linear functions. They give the deflection and the rotation at the start of this piece,
-    /// relative to a rigid body that moves with the start of the span. If the piece starts at a hinge, this is the
-    /// rotation just after the hinge. The functions depend on the deflection and the rotation at the start of the
-    /// span, and on the deflection and the rotation at the end of this piece relative to the same rigid body.
+    /// Deformations d₁ and t of the span before this piece, as linear functions of the [unknowns](self) (w, θ, D₁, D₂).
     before: [Row<6>; 2],
-    /// Coefficients of a linear function that gives the rotation just before a hinge at the start of this piece,
-    /// relative to a rigid body that moves with the start of the span. The function depends on the deflection and the
-    /// rotation at the start of the span, and on the two values that `before` gives. `None` without a hinge.
+    /// Rotation just before a hinge at the start of this piece, relative to the rigid motion of the start of the span.
+    /// It is a linear function of the [unknowns](self) (w, θ, d₁, t).
     hinge: Option<Row<4>>,
 }
 
 impl Piece {
-    /// Computes the four unknowns of the mirror image of the piece from the unknowns `own` of the piece. They are the
-    /// deflection and the rotation of the first end, and the displacement and the rotation of the second end relative
-    /// to the rigid motion of the first end. The mirror image exchanges the two ends.
+    /// Returns the deflection, the rotation and the deformations of the piece with its left and right end exchanged.
     pub fn mirrored(&self, own: [f64; 4]) -> [f64; 4] {
         mirror_shape(&own, self.length, Basis::Deformation)
     }
@@ -65,15 +57,15 @@ const D: usize = 4;
 /// (w, θ, D₁, D₂, d₁, t).
 const T: usize = 5;
 
-/// Minimum of the rotational stiffness of a hinge plus the rotational stiffness of the beam before the hinge,
-/// relative to the bending stiffness of the piece after the hinge. Below this minimum, the beam is a mechanism.
+/// Largest rotational stiffness of a hinge and the beam before it that counts as zero, relative to the piece after the
+/// hinge.
 const FREE_HINGE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
 
 impl Span {
-    /// Builds the span from the beam between two nodes. If `mirrored` is true, left and right are exchanged, for the
-    /// elimination from the right end. `stand` returns the loads, supports and hinge at a node within the span.
+    /// Condenses the beam between two nodes, from right to left if `mirrored`. `stand` returns loads, supports and
+    /// hinge at a node.
     pub fn set(
         &mut self,
         grid: &Grid,
@@ -156,9 +148,8 @@ impl Span {
         self.pieces.iter().flat_map(|piece| piece.nodes)
     }
 
-    /// Calls `each` for every piece, from the last to the first, with four numbers. These are the deflection and
-    /// the rotation of the piece's first end, and the deflection and the rotation of the other end relative to a
-    /// rigid body that moves with the first end. `v` contains these four numbers for the whole span.
+    /// Calls `each` for every piece, from the last to the first, with the deflection and the rotation of its first end
+    /// and its two deformations. `v` contains these four numbers for the whole span.
     pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;

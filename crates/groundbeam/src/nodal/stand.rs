@@ -25,8 +25,8 @@ pub(crate) struct Stand {
 }
 
 impl Stand {
-    /// Collects the loads, supports, hinge and springs at a node of a grid, without the ground outside the beam. If
-    /// `mirrored` is true, the sign of the moment is reversed, for the elimination from the right end to the left.
+    /// Collects the loads, support, hinge and stabilising spring at a node. If `mirrored`, the sign of the moment is
+    /// reversed.
     pub fn at(
         grid: &Grid,
         node: usize,

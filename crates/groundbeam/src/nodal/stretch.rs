@@ -15,8 +15,8 @@ pub(super) struct Reached {
     pub elements: usize,
 }
 
-/// Coefficients with which back-substitution computes e = gain·y + constant in an element: two columns of the
-/// matrix `gain`, then the constant. The variables y and e are defined in [`form`](super::form).
+/// Columns of the matrix A, then the vector c, of the back-substitution e = A y + c in an element.
+/// [`form`](super::form) defines y and e.
 pub(super) type Gain = [f64; 6];
 
 /// A row of bonded elements of equal stiffness, or a span out of contact. The elimination passes through it from its
@@ -29,12 +29,11 @@ pub(crate) struct Stretch {
     pub node: usize,
     /// Loads, supports, hinge and springs at the first node of the stretch.
     pub stand: Stand,
-    /// Energy of the first element as a function of its displacements (y₁, y₂) and deformations (e₁, e₂), which
-    /// [`form`](super::form) defines. `None` if the stretch is a row of equal elements whose first node has no
-    /// support.
+    /// Energy of the first element in the variables (y₁, y₂, e₁, e₂) of [`form`](super::form). `None` for a row without
+    /// a support at its first node.
     pub(super) first: Option<Quadratic<4>>,
-    /// Array [a, b, c] if the first node has a hinge with the deflection w. The rotation just before the hinge, in
-    /// the direction of the elimination, is a w + b θ + c with the rotation θ just after the hinge.
+    /// Coefficients a, b, c of the rotation a w + b θ + c just before a hinge at the first node. w is the deflection of
+    /// the node, and θ the rotation just after the hinge.
     pub(super) turned: Option<[f64; 3]>,
     is_span: bool,
 }
@@ -65,16 +64,14 @@ impl Stretch {
     }
 }
 
-/// Matrix that transforms the variables (y₁, y₂, e₁, e₂) of [`form`](super::form) to (w, Lθ, d₁, L d₂). Here w and θ
-/// are the deflection and the rotation of the left end of an element, d₁ and d₂ are the deformations of the element,
-/// and L is its length.
+/// Converts (y₁, y₂, e₁, e₂) of [`form`](super::form) to (w, Lθ, d₁, L d₂): displacements of the left end and
+/// deformations of an element of length L.
 const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
     [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 
 impl Quadratic<4> {
-    /// Returns the energy of one element, the first of the equal elements that `form` describes. It is a function of
-    /// the displacements (y₁, y₂) and the deformations (e₁, e₂), which [`form`](super::form) defines. The two ground
-    /// springs under the ends of this element (`Form::shunt`) are not included.
+    /// Returns the energy of the first element of `form` in the variables (y₁, y₂, e₁, e₂). It excludes the ground
+    /// springs under its ends (`Form::shunt`).
     fn of(form: &Form) -> Self {
         let [yy, y1, y2] = form.m;
         let [e11, e12, e22] = form.e;
@@ -84,8 +81,8 @@ impl Quadratic<4> {
     }
 }
 
-/// Consecutive elements of equal stiffness that the elimination processes in one call. `first` is the index of the
-/// first element in its stretch; `gains` is memory for the back-substitution coefficients of the elements.
+/// Consecutive elements of one stretch for one call of the elimination. `first` is the index of the first one in the
+/// stretch.
 pub(super) struct Elements<'a> {
     pub form: &'a Form,
     pub first: usize,
@@ -97,9 +94,7 @@ pub(super) struct Elements<'a> {
 pub(crate) struct Side {
     pub stretches: Vec<Stretch>,
     pub(super) gains: Vec<Gain>,
-    /// For each stretch, the deflection and the rotation of its first node, and the deformation (d₁, d₂) of its first
-    /// element. The deformation is the deflection and the rotation of the far end relative to a rigid motion with the
-    /// first node.
+    /// Deflection and rotation of the first node, and deformations (d₁, d₂) of the first element, for each stretch.
     pub shapes: Vec<[f64; 4]>,
 }
 
@@ -122,13 +117,10 @@ impl Side {
         self.stretches.iter().map(|stretch| stretch.count).sum()
     }
 
-    /// Calls `each` for every element, from the node where the eliminations from both ends of the beam meet to the
-    /// end of the beam. The meeting node has the deflection `w` and the rotation `theta`.
+    /// Calls `each` for every element, from the meeting node (`w`, `theta`) to the end of the beam.
     ///
-    /// The first two values for `each` are the deflection and the rotation of the element's outer node, which is
-    /// nearer to the end of the beam. The last two values are the deflection and the rotation of the inner node
-    /// relative to a rigid motion with the outer node. To the right of the meeting node, all rotations have the
-    /// opposite sign.
+    /// The values are the deflection and the rotation of the element's outer node, and its deformations. On the right
+    /// side, rotations have the opposite sign.
     pub fn each_element(
         &self,
         mut w: f64,

@@ -1,11 +1,8 @@
 //! Solves the problem of the beam bonded to the ground at given nodes, by one sweep from each end to a meeting node.
 //!
-//! A sweep condenses the part of the beam before a node to a stiffness S and a force r for the displacements x of
-//! this node. They are x = (w, Lθ) with the deflection w, the rotation θ and the element length L. To cross an
-//! element, the sweep writes x = y − e with the variables y and e of the [element](super::form), and minimises the
-//! energy over e. The minimum is at e = gain·y + constant. The minimum energy gives S and r of the next node.
-//! Back-substitution computes e of each element without differences of deflections. The two sweeps are independent,
-//! so a processor can execute both at the same time.
+//! A sweep condenses the beam before a node to a stiffness S and a force r for the displacements of the node.
+//! Elimination of the deformations from the [energy](super::form) of an element gives S and r of the next node. See
+//! section 10 of docs/methods.md.
 
 use super::back_sweep::{Fields, unfold};
 use super::form::Form;
@@ -14,14 +11,12 @@ use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
 use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 
-/// Coefficients S₁₁, S₁₂, S₂₂, r₁, r₂ of the energy ½ xᵀSx − rᵀx of the eliminated part of the beam, as a function of
-/// the displacements x of the last node of this part. In a row of equal elements of length L, x = (w, Lθ); elsewhere
-/// x = (w, θ).
+/// Coefficients S₁₁, S₁₂, S₂₂, r₁, r₂ of the energy ½ xᵀSx − rᵀx of the eliminated part. Between stretches, x is (w, θ)
+/// of the last node; within a stretch, it is (w, Lθ) with the element length L.
 type Behind = [f64; 5];
 
-/// Eliminates the elements from both ends of the beam up to the node where both eliminations meet. Returns the
-/// deflection w of this node and the rotations to its left and to its right. `stand` contains the loads, supports and
-/// springs at this node.
+/// Eliminates the elements from both ends of the beam to the meeting node, which has the loads and supports `stand`.
+/// Returns its deflection, and the rotations on its left and on its right.
 pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], NotSolved> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
@@ -83,9 +78,8 @@ pub(crate) fn outward(
     sides.iter().map(|side| side.gains.len()).sum()
 }
 
-/// Eliminates the elements from both ends of the beam up to the node where both eliminations meet. Both eliminations
-/// advance together while both have elements left. Returns the stiffness S and the force r of each side, condensed to
-/// the deflection w and the rotation θ of this node.
+/// Returns the stiffness S and the force r of each side, condensed to the meeting node. Both eliminations advance
+/// together while both have elements left.
 fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];
@@ -114,8 +108,8 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     }
 }
 
-/// Eliminates spans out of contact, and the first element after each support, until a row of equal elements follows.
-/// Returns the number of elements left in this row; 0 at the node where the eliminations from both ends meet.
+/// Eliminates spans, and first elements with a support, up to a row of equal elements. Returns the number of elements
+/// left in this row; 0 at the meeting node.
 fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, NotSolved> {
     while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
         if reached.within == 0 {
@@ -150,10 +144,8 @@ fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), NotSolved> {
     Ok(())
 }
 
-/// Eliminates the first node of an element; this node may have a support. `element` is the energy of the element in
-/// the variables (y₁, y₂, e₁, e₂) of [`form`](super::form). For deflection and rotation separately, either the
-/// displacement of the node or the deformation of the element is eliminated, whichever has the larger stiffness. This
-/// avoids differences of large stiffnesses.
+/// Eliminates the first node of `element`, which may have a support. The stiffer one of displacement and deformation is
+/// eliminated, which avoids differences of large stiffnesses.
 fn cross_first(
     state: &mut Behind,
     stretch: &Stretch,
@@ -199,8 +191,8 @@ fn leave(state: &mut Behind, stretch: &Stretch) {
     state[4] *= length;
 }
 
-/// Eliminates the next elements of one row, or of one row in each of the two sweeps (from the left and from the right
-/// end) at the same time. All elements of one row have equal stiffness.
+/// Eliminates the next elements of one row, or of two rows at the same time, one in each sweep. Elements of a row have
+/// equal stiffness.
 #[inline(always)]
 fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],

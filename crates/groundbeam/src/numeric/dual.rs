@@ -111,8 +111,8 @@ impl<const N: usize> SubAssign for Dual<N> {
     }
 }
 
-/// Implements arithmetic operators for dual numbers: compound assignment operators such as `+=` from a given block of
-/// code, and binary operators such as `+` from the compound assignment operators.
+/// Implements operators for dual numbers: assignment operators such as `+=` from code blocks, and from them operators
+/// such as `+`.
 macro_rules! operators {
     ($($trait:ident<$other:ty>::$method:ident($own:ident, $by:ident) $change:block)*) => {$(
         impl<const N: usize> $trait<$other> for Dual<N> {

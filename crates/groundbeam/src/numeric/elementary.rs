@@ -1,7 +1,7 @@
 //! Elementary functions in pure Rust, with identical results on every platform.
 //!
-//! The functions of the standard library call the library of the platform, and the last bits of the results
-//! differ between platforms. `clippy.toml` forbids the functions of the standard library in this crate.
+//! The results of the standard library differ between platforms in the last bits, so `clippy.toml` forbids its
+//! functions in this crate.
 
 use crate::numeric::real::Real;
 pub(crate) use libm::{asinh, exp2, log2, pow};

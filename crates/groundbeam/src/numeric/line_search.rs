@@ -3,14 +3,13 @@
 /// Largest accepted slope at the end of a line search, relative to the initial slope.
 const REMAINING_SLOPE: f64 = 0.1;
 
-/// Returns a step fraction t at which the convex function Φ has decreased and its slope has almost vanished. The
-/// result is t = 1 whenever the full step satisfies both conditions. `fall` is −Φ'(0) > 0, and `slope` computes
-/// Φ'(t). Φ is convex, so Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1. If this mean is not positive,
-/// the full step does not increase Φ.
+/// Returns a step fraction t at which a convex function has decreased and its slope has almost vanished; 1 if possible.
+/// `slope` computes the slope at t, and `fall` > 0 is minus the slope at 0.
 pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
     let small = REMAINING_SLOPE * fall;
     let (mut low, mut low_slope) = (0.0, -fall);
     let (mut high, mut high_slope) = (1.0, slope(1.0));
+    // The mean of the slopes at ½ and 1 is an upper bound of the change of a convex function.
     if high_slope.abs() <= small && (high_slope <= 0.0 || slope(0.5) + high_slope <= 0.0) {
         return 1.0;
     }

@@ -1,14 +1,13 @@
 //! Polynomials on one stretch of the beam, in the local coordinate s ∈ \[−1, 1\].
 //!
 //! A polynomial is a slice of its coefficients, starting with the constant term. Derivatives are computed from the
-//! coefficients, so the curvature is never a difference of deflections.
+//! coefficients, never from differences.
 
 use crate::numeric::real::Real;
 use std::ops::{Deref, DerefMut};
 
-/// Number of coefficients of the power series of the deflection w and the rotation φ about the middle of a cell. If
-/// |r| times half the length of the cell is at most 1 for every root r of the characteristic equation, the first
-/// omitted term is less than 1/20! times the sum of the series.
+/// Number of coefficients of the power series of deflection and rotation. In exact elements, the first omitted term is
+/// less than 1/20! of the sum. See *Exact elements* in docs/methods.md.
 pub(crate) const TERMS: usize = 20;
 
 /// Maximum number of coefficients of a polynomial. The product of a rotation and a fifth-degree shear stiffness has
@@ -145,8 +144,8 @@ pub(crate) fn derivative<R: Real>(c: &[R]) -> Coefficients<R> {
     out
 }
 
-/// Coefficients of the integral of the polynomial with the coefficients `c` over a stretch of the length 2·`half`.
-/// The integral has the value `start` at the left end of the stretch, s = −1.
+/// Coefficients of the integral of a polynomial on a stretch of half length `half`. Its value at the left end is
+/// `start`.
 pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
     let mut out = Coefficients::zeros(c.len() + 1);
     for ((out, a), part) in out.iter_mut().skip(1).zip(c).zip(&PARTS) {

@@ -1,7 +1,7 @@
 //! Gauss–Legendre quadrature on \[−1, 1\].
 
-/// The positive points of the rule with 12 points, and their weights. The rule is exact for polynomials up to
-/// degree 23. Its error is at rounding level for every integrand of this crate.
+/// Positive points and weights of the rule with 12 points, exact up to degree 23. Its error is at rounding level in
+/// this crate.
 const GAUSS_12: [(f64, f64); 6] = [
     (0.125_233_408_511_468_9, 0.249_147_045_813_402_78),
     (0.367_831_498_998_180_2, 0.233_492_536_538_354_82),

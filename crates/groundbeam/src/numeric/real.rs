@@ -1,8 +1,7 @@
 //! Number types of the mechanical equations: `f64`, or a value with derivatives.
 //!
-//! Numbers of type `Real` cannot be compared by size. Every decision uses the value explicitly, so derivatives
-//! cannot change a decision. The comparison `==` includes the derivatives: a zero with a nonzero derivative is
-//! not equal to zero.
+//! Numbers of type `Real` cannot be compared by size. Every decision uses the value only, so derivatives cannot change
+//! it. The comparison `==` includes the derivatives.
 
 use std::fmt::Debug;
 use std::iter::Sum;

@@ -5,15 +5,13 @@ use super::polynomial::{Coefficients, rescale, value, with_slope};
 /// Radius of a circle about s = 0 inside which a polynomial that [varies little](varies_little) has no complex zero.
 const ZERO_FREE_RADIUS: f64 = 10.0;
 
-/// Whether a polynomial varies so little on −1 ≤ s ≤ 1 that the power series of its reciprocal is short. It is short if
-/// the polynomial has no complex zero closer to s = 0 than [`ZERO_FREE_RADIUS`], because the series then converges like
-/// the powers of 1/`ZERO_FREE_RADIUS`.
+/// Whether the power series of the reciprocal of a polynomial converges at least like the powers of
+/// 1/[`ZERO_FREE_RADIUS`].
 pub(crate) fn varies_little(c: &[f64]) -> bool {
     is_free_of_zeros(c, ZERO_FREE_RADIUS)
 }
 
-/// Whether the polynomial f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. Each
-/// step of the test lowers the degree by one without moving a zero across the circle |s| = `radius`.
+/// Whether a polynomial has no complex zero inside the circle |s| = `radius`, by the test of Schur and Cohn.
 fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     // If |c₀| > Σ|cⱼ| radiusʲ with j ≥ 1, the constant term outweighs all others inside the circle.
     let others = c.iter().skip(1).rev().fold(0.0, |sum, a| (sum + a.abs()) * radius);
@@ -35,6 +33,7 @@ fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
         }
         c.pop();
     }
+    // Each step lowers the degree by one and keeps the number of zeros inside the circle.
     while c.len() > 1 {
         let (first, last) = (c[0], c[c.len() - 1]);
         let ratio = last / first;
@@ -47,10 +46,8 @@ fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     c.first().is_some_and(|a| *a != 0.0)
 }
 
-/// Appends to `roots` the positions in (−1, 1) at which f changes its sign, from left to right.
-///
-/// The lower bound |f(s)| ≥ |c₀| − Σ|cⱼ| with j ≥ 1 excludes intervals without zeros. It uses the coefficients
-/// only, so f is not sampled. A double root, at which f is zero without changing its sign, is not reported.
+/// Appends the positions in (−1, 1) at which a polynomial changes its sign, from left to right. Bounds from the
+/// coefficients exclude intervals without zeros, so the polynomial is not sampled.
 pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
     // Terms of high order are omitted if they are far below the rounding error of the other terms.
     let mut negligible = f64::EPSILON / 16.0 * c.iter().map(|a| a.abs()).sum::<f64>();
@@ -65,10 +62,8 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
 /// Maximum number of halvings of an interval. After this number of halvings the interval counts as a point.
 pub(crate) const DEEPEST: u32 = 40;
 
-/// Appends to `roots` the sign changes of a polynomial on an interval. `c` contains the coefficients of the polynomial
-/// in a coordinate from −1 to 1 along the interval. `ends` contains the values of the polynomial at the ends of the
-/// interval; if `ends` is `None`, these values are computed. Neighbouring intervals use the same value at their common
-/// end, so rounding cannot hide a root at this end.
+/// Appends the sign changes on the interval `x` of a polynomial with the local coefficients `c`. Neighbouring intervals
+/// share an end value in `ends`, so rounding cannot hide a root there.
 fn isolate(c: &[f64], x: [f64; 2], ends: Option<[f64; 2]>, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);
@@ -125,8 +120,8 @@ fn beside_middle(c: &[f64]) -> [f64; 2] {
     [if order % 2 == 1 { -right } else { right }, right]
 }
 
-/// Finds the root of a polynomial between `low` and `high` by Newton's method within a bracket. The polynomial
-/// is monotone there and has different signs at `low` and `high`. `left` is its value at `low`.
+/// Finds the root of a polynomial that is monotone and changes its sign between `low` and `high`. `left` is its value
+/// at `low`.
 pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64) -> f64 {
     let mut s = 0.5 * (low + high);
     for _ in 0..100 {
@@ -169,8 +164,8 @@ mod tests {
         assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
     }
 
-    /// The polynomial is the derivative of the pressure under a simply supported beam on soft Winkler springs. Its root
-    /// is at s = 0, the common end of the two halves of the interval −1 ≤ s ≤ 1.
+    /// The polynomial is the derivative of a pressure on soft Winkler springs. Its root s = 0 is the common end of two
+    /// intervals.
     #[test]
     fn a_root_between_two_halves() {
         let w = [9.130750818000197e-5, 0.0, -1.0956900980259498e-4, 0.0, 1.826150161472349e-5];

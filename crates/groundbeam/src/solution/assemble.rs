@@ -108,8 +108,8 @@ fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     supports.iter().map(reaction).collect()
 }
 
-/// Force of a rigid support at x, from equilibrium of the beam between the middles of the two adjacent spans.
-/// The shear force of an element is inaccurate near the support, but accurate in the middle of a span.
+/// Force of a rigid support at x, from the equilibrium of the beam between the middles of the adjacent spans. The shear
+/// force is accurate there, but not near the support.
 fn lift(candidate: &Candidate, x: f64) -> f64 {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);

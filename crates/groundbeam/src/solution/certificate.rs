@@ -6,12 +6,10 @@ use crate::solution::candidate::Candidate;
 use crate::solution::claim::answer;
 use groundbeam_proof::{Estimate, estimate};
 
-/// The energies of a solution and an estimate of the energy of its error, computed in doubles by the crate
-/// `groundbeam_proof`.
+/// The energies of a solution and an estimate of the energy of its error, computed in doubles by `groundbeam_proof`.
 ///
-/// Without rounding errors, the energy gap is an upper bound of the energy of the error. With rounding errors
-/// it is an estimate. [`Solution::prove`](crate::Solution::prove) computes an upper bound that includes all
-/// rounding errors.
+/// Without rounding errors, the energy gap is an upper bound. [`Solution::prove`](crate::Solution::prove) computes a
+/// bound that includes rounding errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     primal_energy: f64,
@@ -34,8 +32,8 @@ impl Certificate {
         Certificate { primal_energy: potential_energy, gap, relative_gap }
     }
 
-    /// The primal energy \[N·m\], (3.8) of Kikuchi's paper. It is ½∫(EI (w″ − κ₀)² + P w'²) dx − F(w), with the
-    /// imposed curvature κ₀ and the work F(w) of the loads, plus the energy ½∫(k u² + μ u'²) dx of the ground.
+    /// The primal energy \[N·m\], (3.8) of Kikuchi's paper: the strain energy of beam, ground and springs minus the
+    /// work of the loads.
     pub fn primal_energy(&self) -> f64 {
         self.primal_energy
     }
@@ -58,9 +56,8 @@ impl Certificate {
         self.relative_gap
     }
 
-    /// Whether rounding errors of the loads can cause the energy gap of this certificate. Loads that cancel each other
-    /// or act on rigid supports cause little strain energy. The gap is therefore compared with the sum of the strain
-    /// energies that the loads would cause one at a time.
+    /// Whether rounding errors of the loads can cause the energy gap. Loads can cancel each other, so the gap is
+    /// compared with the sum of the energies that they cause one at a time.
     pub(crate) fn is_rounding_of_loads(&self, model: &Model) -> bool {
         self.gap <= GAP * f64::EPSILON * energy_of_single_loads(model)
     }
@@ -76,10 +73,8 @@ impl Certificate {
     }
 }
 
-/// Estimates the sum of the strain energies of all loads, each acting alone. The estimate adds three energies:
-/// F²/(k l) + M²/(k l³) of a rigid beam, (M + F a)² a/(EI) of a beam that bends over the length a, and EI δ²/a³ of the
-/// largest support settlement δ. F is the sum of the magnitudes of all forces, and M that of all moments. The length a
-/// is (4 EI/k)^¼, but at most the beam length l.
+/// Estimates the sum of the strain energies of all loads, each acting alone. It adds the energies of a rigid beam, of a
+/// beam that bends over the length `wave`, and of the largest support settlement.
 fn energy_of_single_loads(model: &Model) -> f64 {
     let (l, k, ei) = (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(l);

@@ -16,9 +16,8 @@ pub(super) fn prove(candidate: &Candidate) -> Result<Proof, NotProven> {
 }
 
 impl Model {
-    /// Converts the model to the input of the proof, with its doubles as exact numbers. For ground given by
-    /// soil data, the proof uses the constants k and μ stored in the foundation. In the model of a solution,
-    /// these constants are those that the solve computed.
+    /// Converts the model to the input of the proof, with its doubles as exact numbers. Soil data are replaced by the
+    /// constants k and μ in the foundation.
     pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
         let hinge = |hinge: &Hinge| proof::Hinge {
             at: S::of(hinge.at),
@@ -166,8 +165,8 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     Answer { pieces, forces, reactions: reactions.collect() }
 }
 
-/// Whether a double lies strictly between the ends of a piece. If the end of a cell is the next double after a
-/// contact edge, no double lies between them, and the piece between them is omitted.
+/// Whether a double lies strictly between the ends of a piece. There is none if a contact edge and the end of a cell
+/// are neighbouring doubles.
 fn has_inside([from, to]: [f64; 2]) -> bool {
     let middle = 0.5 * (from + to);
     from < middle && middle < to

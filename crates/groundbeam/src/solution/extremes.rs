@@ -1,7 +1,7 @@
 //! Finds the smallest and largest value of each field from the values at the ends of the pieces and the turning points.
 //!
-//! The fields are not sampled. The roots and the bounds of a polynomial are computed from its coefficients.
-//! Roots are computed only on pieces on which a field may exceed the values found before.
+//! The roots and bounds of polynomials are computed from their coefficients, without sampling. Roots are computed only
+//! where a field may exceed the values found before.
 
 use crate::solution::candidate::Candidate;
 use crate::solution::field::Field;

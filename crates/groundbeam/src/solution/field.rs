@@ -127,8 +127,8 @@ impl Field {
         self.facts().drawn_down
     }
 
-    /// Expected magnitude of the field in a solution, from the length of the beam, the sum of the forces, the
-    /// largest deflection and a typical pressure. Much smaller values are rounding errors.
+    /// Expected magnitude of the field, from the beam's length, the sum of the forces, the largest deflection and a
+    /// typical pressure. Much smaller values are rounding errors.
     pub fn natural_size(self, length: f64, force: f64, deflection: f64, pressure: f64) -> f64 {
         match self.dimension() {
             Dimension::Length => deflection,

@@ -14,13 +14,13 @@ pub(super) struct FieldBounds {
 }
 
 impl FieldBounds {
-    /// Computes bounds of the polynomial Σ cⱼ sʲ on −1 ≤ s ≤ 1 from its coefficients cⱼ. The difference between
-    /// the polynomial and the line through its end values is the sum of cⱼ (sʲ − 1) for even j ≥ 2 and of
-    /// cⱼ (sʲ − s) for odd j ≥ 3. The factor sʲ − 1 lies between −1 and 0, and the factor sʲ − s lies between −1
-    /// and 1.
+    /// Computes bounds of the polynomial Σ cⱼ sʲ on −1 ≤ s ≤ 1: the line through its end values plus bounds of the
+    /// difference.
     fn of(c: &[f64]) -> Self {
         let [first, second] = [0, 1].map(|j| c.get(j).copied().unwrap_or(0.0));
         let ([mut even, mut odd], [mut above, mut apart]) = ([0.0; 2], [0.0; 2]);
+        // The difference consists of cⱼ (sʲ − 1) for even j, between −cⱼ and 0, and cⱼ (sʲ − s) for odd j, at most
+        // |cⱼ|.
         for pair in c.get(2..).unwrap_or_default().chunks(2).rev() {
             let [a, b] = [pair[0], pair.get(1).copied().unwrap_or(0.0)];
             even += a;
@@ -113,9 +113,8 @@ pub(crate) mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The test bounds 1 + 2s + 3s² − 4s³ − 5s⁴ + 6s⁵ for −1 ≤ s ≤ 1. The deviation of this polynomial from the
-    /// straight line between its end values has two parts. The part from 3s² and −5s⁴ lies between −3 and 5. The part
-    /// from −4s³ and 6s⁵ is at most 10 in magnitude.
+    /// The difference from the line through the ends is −3 to 5 from the terms 3s² − 5s⁴, and at most 10 from −4s³ +
+    /// 6s⁵.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
@@ -138,9 +137,8 @@ pub(crate) mod tests {
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
-    /// The local coordinate s runs from −1 to 1 along the piece. The slope dw/dx and the shear force dM/dx are the
-    /// derivatives of w and M with respect to s, divided by half the length of the piece. In contact, the settlement is the
-    /// deflection w minus the initial gap g₀.
+    /// Slope and shear force are derivatives with respect to s, divided by half the length. In contact the settlement
+    /// is w − g₀.
     #[test]
     fn the_hull_of_each_field() {
         let mut of = piece([0.0, 4.0]);

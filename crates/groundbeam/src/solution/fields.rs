@@ -71,8 +71,7 @@ pub struct Fields {
     pub slope: f64,
     /// Rotation φ of the cross-sections \[rad\]. It equals w' where the beam has no shear deformation.
     pub rotation: f64,
-    /// Bending moment M = −EI (φ' − κ₀) with the rotation φ of the cross-sections and the imposed curvature κ₀, positive
-    /// in sagging \[N·m\]. Where the beam has no shear deformation, φ' = w″.
+    /// Bending moment M = −EI (φ' − κ₀), positive in sagging \[N·m\], with the rotation φ and the imposed curvature κ₀.
     pub moment: f64,
     /// Shear force V = M' \[N\].
     pub shear_force: f64,
@@ -139,16 +138,14 @@ pub(crate) struct SolutionPiece<R = f64> {
     pub pressure: Coefficients<R>,
     /// Settlements u − u₀ at both ends of a piece out of contact, with the free-field settlement u₀; `None` in contact.
     pub open: Option<[R; 2]>,
-    /// Coefficients of u − u₀, the settlement minus the free-field settlement, in the local coordinate s of the piece.
-    /// They are stored only for a piece out of contact on a shear layer whose k or μ varies. Otherwise the list is
-    /// empty.
+    /// Coefficients of the settlement minus the free-field settlement, on open ground with a shear layer where k or μ
+    /// varies; else empty.
     pub settlement: Coefficients<R>,
 }
 
 impl<R: Real> SolutionPiece<R> {
-    /// Creates a piece on a part of a cell from the coefficients of w and φ in this cell. `presses` states whether a
-    /// piece in contact has a distributed contact pressure; it is false if all contact forces are concentrated at
-    /// nodes.
+    /// Creates a piece from the deflection and the rotation of its cell. `presses` is false if all contact forces are
+    /// concentrated at nodes.
     pub fn of(
         cell: &Cell<R>,
         part: &SurfacePart<R>,
@@ -229,8 +226,8 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// Settlement u of the ground and its derivative u′ with respect to x, at the local coordinate s of a piece out of
-    /// contact. Both are due to the contact pressure outside this piece, without the free-field settlement.
+    /// Settlement minus the free-field settlement, and its derivative with respect to x, at s on a piece out of
+    /// contact.
     pub(crate) fn pressed(&self, s: f64, [left, right]: [R; 2]) -> [R; 2] {
         if [left, right] == [R::ZERO; 2] {
             return [R::ZERO; 2];

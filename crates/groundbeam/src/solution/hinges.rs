@@ -13,8 +13,8 @@ pub struct HingeTurn {
     /// The jump of the rotation of the cross-sections at the hinge, right minus left \[rad\]. It is positive if
     /// the parts of the beam rotate as under a hogging moment.
     pub rotation: f64,
-    /// The moment that the hinge transmits \[N·m\]. A sagging moment is positive. The moment is minus the rotational
-    /// stiffness of the hinge times the rotation of the hinge. At a free hinge it is zero.
+    /// The moment that the hinge transmits, positive in sagging \[N·m\]: minus its rotational stiffness times its
+    /// rotation.
     pub moment: f64,
 }
 

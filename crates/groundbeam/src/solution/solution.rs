@@ -100,9 +100,8 @@ impl Solution {
         &self.candidate.contact
     }
 
-    /// Intervals \[m\] on which rounding error decides between contact and open ground, from left to right.
-    /// They are zones without a contact force, and intervals that are in contact in some of the last steps of
-    /// the exact method and open in others.
+    /// Intervals \[m\] on which rounding error decides between contact and open ground, from left to right. See
+    /// *Stopping* in docs/methods.md.
     pub fn undecided(&self) -> impl ExactSizeIterator<Item = ContactZone> + '_ {
         self.candidate.edge_error.undecided.iter().map(|&[from, to]| ContactZone { from, to })
     }
@@ -118,9 +117,8 @@ impl Solution {
         self.candidate.end_forces
     }
 
-    /// Concentrated contact forces between the ends of the beam. They occur where μ jumps, at kinks of the initial
-    /// gap, and at point contacts. With nodal pressures as in (5.5) of Kikuchi's paper, all contact forces between
-    /// the ends are concentrated.
+    /// Concentrated contact forces inside the beam: at jumps of μ, kinks of the initial gap and point contacts. With
+    /// the nodal pressures (5.5) of Kikuchi's paper, all contact forces are concentrated.
     pub fn concentrated_forces(&self) -> &[ConcentratedForce] {
         &self.candidate.concentrated
     }

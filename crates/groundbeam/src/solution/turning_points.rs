@@ -47,10 +47,8 @@ impl SolutionPiece {
         }
     }
 
-    /// Appends the local coordinates s at which `slope`, the derivative of a field with respect to the position x,
-    /// changes its sign. `slope` need not be a polynomial. The sign of `slope` is computed at points so close together
-    /// that at most one sign change lies between two neighbouring points. A zero at such a point is a sign change if
-    /// the signs before and after it differ.
+    /// Appends the local coordinates at which the function `slope` changes its sign. At most one change may lie between
+    /// two neighbouring points of comparison.
     fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
         const CUTS: usize = 16;
         // `sign` returns the sign −1, 0 or 1 of the slope at s. Signs are multiplied because the product of two slopes
@@ -113,9 +111,8 @@ mod tests {
         near(&of.candidates(Field::Pressure), &[-1.0, -0.5, 1.0]);
         of.moment = [-0.125, 0.75, -1.5, 1.0][..].into();
         near(&turning_points(&of, Field::ShearForce), &[0.5]);
-        // In contact the settlement is u = w − g₀, with w = s³ − 3/16 s. The local coordinate s runs from −1 to 1. The
-        // settlement has turning points where dw/ds = dg₀/ds. Here dg₀/ds is the slope of the initial gap times half the
-        // length of the piece.
+        // In contact, the settlement w − g₀ turns at s = ±1/2, where dw/ds = 3/4 − 3/16. The slope of the gap is dg₀/dx
+        // = (dg₀/ds)/2.
         of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
         near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
         // The gap is zero everywhere, so it has no turning point.
@@ -123,9 +120,8 @@ mod tests {
         near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
     }
 
-    /// The ground is out of contact on 0 ≤ x ≤ 4, with k = μ = 1 and the end settlements cosh(a) and cosh(4 − a). Its
-    /// settlement is then u = cosh(x − a), with the minimum at x = a. The gap u + g₀ − w has its minimum where
-    /// sinh(x − a) = w′ − g₀′.
+    /// The settlement u = cosh(x − a) of open ground with k = μ = 1 is smallest at x = a, and the gap where sinh(x − a)
+    /// = w′ − g₀′.
     #[test]
     fn open_ground_turns_where_it_is_lowest() {
         for a in [0.7_f64, 1.3, 3.9] {
@@ -146,9 +142,8 @@ mod tests {
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
 
-    /// A beam is in contact at its ends and out of contact between them. The settlement u of the ground is smallest in
-    /// the middle. The derivative of u in the middle is exactly zero if the values of u at the two contact edges are
-    /// bitwise equal.
+    /// Open ground with equal settlements at both ends is lowest in the middle, where its computed slope is exactly
+    /// zero.
     #[test]
     fn symmetric_open_ground_is_lowest_in_its_middle() {
         let mut of = piece([0.0, 4.0]);

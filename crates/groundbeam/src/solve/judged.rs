@@ -28,8 +28,7 @@ impl<'a> Judged<'a> {
         certificate.relative_gap()
     }
 
-    /// Returns the last checked candidate and its certificate, with the edge error of `found`. If the iteration has
-    /// checked no candidate, as in the methods with a mesh, both are computed from `found`.
+    /// Returns the last checked candidate and its certificate, or those of `found` if none was checked, as on a mesh.
     pub fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
         let (mut candidate, certificate) =
             self.last.take().unwrap_or_else(|| self.certified(found));

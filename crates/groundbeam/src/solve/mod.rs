@@ -30,27 +30,24 @@ use crate::supported::{self, Way};
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] for a model that breaks a rule, [`Error::TooLarge`] for a model that needs more memory
-/// than [`Options::memory_limit`], and [`Error::NotConverged`] if no solution with a valid certificate was
-/// found.
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::TooLarge`] for one that needs more memory than
+/// [`Options::memory_limit`], and [`Error::NotConverged`] if no solution could be certified.
 pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
 
-/// Solves a model with the options, which include the method.
+/// Solves a model by the method and the options.
 ///
 /// # Errors
 ///
-/// The errors of [`solve`], and [`Error::Unsupported`] for a feature of the model that the method does not
+/// The errors of [`solve`], and [`Error::Unsupported`] for a feature that the method does not
 /// [support](crate::supported).
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
 
-/// Solves a model, starting from the solution `near` of a similar model. The similar model may have, for example,
-/// smaller loads, loads at other positions or other ground. The exact method starts from the contact zones of this
-/// solution and needs fewer steps. The certificate is checked as in [`solve_with`], but the last digits of the solution
-/// may differ from the solution of [`solve_with`].
+/// Solves a model. The exact method starts from the contact zones of `near`, the solution of a similar model, and needs
+/// fewer steps. The last digits may differ from those of [`solve_with`].
 ///
 /// # Errors
 ///
@@ -87,9 +84,8 @@ pub(crate) fn solve_in(
 /// Maximum number of times that the method `active-set` halves the length of its elements.
 const MOST_HALVINGS: usize = 12;
 
-/// Solves a model by the chosen method. The method `active-set` halves the length of its elements if its
-/// discrete problem is not solved. On Winkler ground it also halves the length until the estimated error energy is
-/// no larger than the strain energy, because a contact zone may be shorter than an element.
+/// Solves a model by the chosen method. `active-set` halves its elements under the conditions of *How accurate a mesh
+/// is* in docs/methods.md.
 fn uncancelled(
     model: &Model,
     options: &Options,
@@ -216,13 +212,12 @@ fn solve_local(
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
 }
 
-/// Decides whether an equilibrium exists. The model is solved only if axial compression makes its energy
-/// non-convex, because an equilibrium may then be a local minimum of the energy without being the global minimum.
+/// Decides whether an equilibrium exists. It solves the model only if axial compression makes the energy non-convex.
 ///
 /// # Errors
 ///
-/// The errors of [`solve`]. [`Error::NotConverged`] occurs only for a beam that is unstable under its
-/// compression without the ground.
+/// The errors of [`solve`]. [`Error::NotConverged`] occurs only for a beam that is unstable under compression without
+/// the ground.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model, &Options::default())?.existence)
 }

@@ -103,14 +103,14 @@ fn the_series_solve_the_equations_and_take_their_end_values() {
         assert!((value(&rotation, -1.0) + 0.2).abs() < 1e-14);
         assert!((value(&w, 1.0) - (0.3 - 0.2 * h + 0.1)).abs() < 1e-15);
         assert!((value(&rotation, 1.0) - 0.2).abs() < 1e-14);
-        // The moment is EI (φ′ − κ₀), with the rotation φ and the imposed curvature κ₀. The vertical force is
-        // Q + N w′ − G, with the shear force Q, the tension N and the moment load G of the shear layer.
+        // The moment is EI (φ′ − κ₀), with the rotation φ and the imposed curvature κ₀.
         let mut bend = by(&rotation);
         bend[0] -= all.curvature[0];
         bend[1] -= all.curvature[1];
         let moment = times(&all.stiffness, &bend);
         let shear_force = shear_force(&all, &slope, &rotation, &by(&moment));
         let from_axial = times(&all.tension, &slope);
+        // The vertical force is the shear force plus N w′, minus the moment load of the shear layer.
         let total =
             |s: f64| value(&shear_force, s) + value(&from_axial, s) - value(&all.slope_load, s);
         for s in [-0.9, -0.3, 0.2, 0.8] {
@@ -155,9 +155,8 @@ fn the_stiffness_is_symmetric_to_rounding() {
     }
 }
 
-/// Without ground and tension, the stiffness for the relative displacement and the relative rotation of the right end
-/// agrees with Przemieniecki (1968), Theory of Matrix Structural Analysis: the block for the right end in the stiffness
-/// matrix (5.116). There, Φ is 12 EI/(S h²), with the shear stiffness S and the length h.
+/// Compares the stiffness of the right end without ground and tension with Przemieniecki (1968), Theory of Matrix
+/// Structural Analysis, (5.116). His Φ is 12 EI/(S h²) for the length h.
 #[test]
 fn without_ground_the_stiffness_is_that_of_przemieniecki() {
     for shear in [1e-6, 0.5, 40.0, 1e9] {

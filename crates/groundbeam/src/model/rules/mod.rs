@@ -11,10 +11,8 @@ use crate::model::Model;
 use crate::model::problem::{Part, Problem, finite};
 
 impl Model {
-    /// Lists every violation of the rules. The list is empty if the model can be solved.
-    ///
-    /// The rules also refuse a beam so soft or ground so stiff that products of the given numbers overflow
-    /// the range of doubles. So no later step computes with infinite numbers.
+    /// Lists every violation of the rules. The list is empty if the model can be solved. The rules also refuse numbers
+    /// whose products overflow in later steps.
     pub fn problems(&self) -> Vec<Problem> {
         let mut found = Vec::new();
         self.check_beam(&mut found);

@@ -1,22 +1,18 @@
 //! Spring constant k of the ground, from a modulus of the soil or from a plate load test.
 //!
-//! All formulas are correlations for beams on deep soil. They give k per unit length of beam, which is the subgrade
-//! modulus k_s of the source times the width b of the beam. `stiffness` is the beam's EI.
+//! All formulas are correlations for deep soil. They give k per unit length of beam, which is the subgrade modulus of
+//! the source times the width of the beam.
 
 use crate::numeric::elementary::{pow, power};
 
-/// Spring constant of Vesić (1961), *Bending of beams resting on isotropic elastic solid*:
-/// k = 0.65 (E_s b⁴/EI)^(1/12) E_s/(1 − ν²). E_s and ν are Young's modulus and Poisson's ratio of the soil; EI and b
-/// are the bending stiffness and the width of the beam. The formula was derived for beams of length l with
-/// l (k/(4 EI))^(1/4) > 2.25; the moments of shorter beams are approximate.
+/// Spring constant of Vesić (1961), *Bending of beams resting on isotropic elastic solid*, for beams of length l with
+/// l (k/(4 EI))^(1/4) > 2.25. The moments of shorter beams are approximate. `stiffness` is EI.
 pub(crate) fn vesic(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     0.65 * pow(soil.modulus * power(width, 4) / stiffness, 1.0 / 12.0) * plane(soil)
 }
 
-/// Spring constant of Biot (1937), *Bending of an infinite beam on an elastic foundation*:
-/// k = 0.95 (E_s b⁴/((1 − ν²) EI))^0.108 E_s/(1 − ν²). E_s and ν are Young's modulus and Poisson's ratio of the soil;
-/// EI and b are the bending stiffness and the width of the beam. The formula reproduces the largest moment of an
-/// infinite beam under one force.
+/// Spring constant of Biot (1937), *Bending of an infinite beam on an elastic foundation*. It reproduces the largest
+/// moment of an infinite beam under one force. `stiffness` is EI of the beam.
 pub(crate) fn biot(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     let plane = plane(soil);
     0.95 * pow(plane * power(width, 4) / stiffness, 0.108) * plane
@@ -34,18 +30,14 @@ pub(crate) fn selvadurai(soil: &Elastic) -> f64 {
     0.65 * plane(soil)
 }
 
-/// Spring constant k = k_s b of Terzaghi (1955), *Evaluation of coefficients of subgrade reaction*, for a beam of
-/// width b on stiff clay. A load test with a plate of width b₁ gives the subgrade modulus k₁ \[N/m³\]. Under equal
-/// pressure the settlement is proportional to the width, so a square footing of width b has the subgrade modulus
-/// k_s = k₁ b₁/b. For a beam of length l > b, k_s is multiplied by (m + ½)/(1.5 m) with m = l/b.
+/// Spring constant of Terzaghi (1955), *Evaluation of coefficients of subgrade reaction*, for a beam on stiff clay.
+/// Under equal pressure, the settlement is proportional to the width.
 pub(crate) fn terzaghi_clay(plate: &PlateTest, width: f64, length: f64) -> f64 {
     let m = (length / width).max(1.0);
     plate.modulus * plate.width * (m + 0.5) / (1.5 * m)
 }
 
-/// Spring constant k = k_s b of Terzaghi (1955) for a beam of width b on sand, whose stiffness increases with depth.
-/// The subgrade modulus of the beam is k_s = k₁ ((b + b₁)/(2b))², where k₁ is the subgrade modulus of a plate of
-/// width b₁.
+/// Spring constant of Terzaghi (1955) for a beam on sand, whose stiffness increases with depth.
 pub(crate) fn terzaghi_sand(plate: &PlateTest, width: f64) -> f64 {
     plate.modulus * power((width + plate.width) / (2.0 * width), 2) * width
 }
@@ -78,8 +70,8 @@ pub struct PlateTest {
 mod tests {
     use super::*;
 
-    /// The expected subgrade moduli are from a worksheet (scribd.com/document/680935098). The concrete beam has
-    /// E = 30620 MPa, is 3 m wide and 0.5 m high. The soil has E = 10 MPa and ν = 0.3.
+    /// The expected subgrade moduli are from a worksheet (scribd.com/document/680935098). The beam has E = 30620 MPa
+    /// and is 3 m wide and 0.5 m high.
     #[test]
     fn a_published_worksheet() {
         let (b, soil) = (3.0, Elastic { modulus: 10e6, poisson: 0.3 });

@@ -1,13 +1,13 @@
 //! Elastic layers on rock as a two-parameter ground, after Vlasov and Leontiev.
 //!
-//! The soil below a beam of width b moves vertically only. Its displacement at the depth z is v(x, z) = u(x) φ(z),
-//! where u is the settlement of the surface. The function φ is 1 at the surface and 0 on the rock at the depth H. The
-//! strain energy of the soil per length of beam is then ½(k u² + μ u'²) with
+//! The soil below a beam of width b moves only vertically, by u(x) φ(z) at the depth z. u is the settlement of the
+//! surface. φ is 1 at the surface and 0 on the rock at the depth H. The strain energy per length of beam is
+//! ½(k u² + μ u'²) with
 //!
-//! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,  E₀ = E (1 − ν)/((1 + ν)(1 − 2ν)),  G = E/(2(1 + ν)).
+//! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,
 //!
-//! E is Young's modulus, ν is Poisson's ratio, E₀ is the constrained modulus and G is the shear modulus. For a given
-//! u, the energy is stationary if (E₀ φ')' = r G φ with the rate r = ∫u'² dx/∫u² dx.
+//! the constrained modulus E₀ and the shear modulus G. The energy is stationary if (E₀ φ')' = r G φ with the rate
+//! r = ∫u'² dx/∫u² dx.
 
 use crate::numeric::elementary::{cosh, exp, power, sinh, tanh};
 
@@ -57,9 +57,8 @@ pub struct GroundConstants {
 }
 
 impl LayeredSoil {
-    /// Computes k and μ under a beam of a given width b \[m\]. The argument `rate` is ∫u'² dx/∫u² dx \[1/m²\], where
-    /// u is the settlement of the ground's surface. For uniform settlement, the rate is 0, and one layer of thickness
-    /// H gives k = b E₀/H and μ = b G H/3 with the constrained modulus E₀ and the shear modulus G.
+    /// Computes k and μ under a beam of the given width \[m\]. `rate` is ∫u'² dx/∫u² dx \[1/m²\], where u is the
+    /// settlement of the ground's surface. For uniform settlement, the rate is 0.
     ///
     /// ```
     /// use groundbeam::soil::{LayeredSoil, SoilLayer};
@@ -80,10 +79,8 @@ impl LayeredSoil {
         ground
     }
 
-    /// Parameter γ, the sum over all layers of the thickness divided by the decay length of the vertical
-    /// displacement. The argument `rate` is r = ∫u'² dx/∫u² dx \[1/m²\], where u is the settlement of the ground's
-    /// surface. For one layer of thickness H and Poisson's ratio ν, γ is the parameter of Vallabhan and Das,
-    /// γ² = r H² (1 − 2ν)/(2(1 − ν)).
+    /// Parameter γ of Vallabhan and Das: the sum of the thickness of each layer divided by its decay length of the
+    /// vertical displacement. `rate` is ∫u'² dx/∫u² dx \[1/m²\] of the surface settlement u.
     pub fn gamma(&self, rate: f64) -> f64 {
         self.layers.iter().map(|layer| layer.decay(rate)).sum()
     }
@@ -95,9 +92,8 @@ impl LayeredSoil {
 
     /// Vertical displacement φ at the top of every layer and on the rock, relative to its value at the surface.
     fn heights(&self, rate: f64) -> Vec<f64> {
-        // The loop runs from the rock up. For each layer, it computes the stiffness −E₀ φ'/φ of the soil below the
-        // top of the layer, with the constrained modulus E₀ and the vertical displacement φ. It also computes the
-        // ratio of φ at the bottom of the layer to φ at its top.
+        // The loop runs from the rock up. For each layer, it computes the stiffness of the soil below the top, and the
+        // ratio of φ at the bottom to φ at the top.
         let mut below = f64::INFINITY;
         let mut left: Vec<f64> = Vec::with_capacity(self.layers.len());
         for layer in self.layers.iter().rev() {
@@ -113,9 +109,8 @@ impl LayeredSoil {
     }
 }
 
-/// Returns, for one layer, the ratio of φ at the bottom to φ at the top, and the stiffness −E₀ φ'/φ of the soil below
-/// the top. Here φ is the vertical displacement and E₀ the constrained modulus. `below` is the stiffness of the soil
-/// below the layer.
+/// Returns the ratio of the displacement φ at the bottom of a layer to φ at the top, and the stiffness −E₀ φ'/φ of the
+/// soil below the top. `below` is this stiffness below the bottom of the layer.
 fn passed(layer: &SoilLayer, decay: f64, below: f64) -> (f64, f64) {
     let stiffness = layer.constrained_modulus() / layer.thickness;
     if below == f64::INFINITY {
@@ -137,8 +132,7 @@ fn tanh_over(c: f64) -> f64 {
 pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
     let (both, product) = (top * top + bottom * bottom, top * bottom);
     if c < 0.5 {
-        // For a small argument c, the differences sinh c cosh c − c and c cosh c − sinh c would lose digits by
-        // cancellation, so they are computed as power series. The ratio c/sinh c loses no digits.
+        // For small c, power series avoid the cancellation in sinh c cosh c − c and in c cosh c − sinh c.
         let ratio = if c == 0.0 { 1.0 } else { c / sinh(c) };
         let (own, cross) = (series(2.0 * c, |_| 4.0), series(c, |n| 2.0 * n));
         let square = 0.5 * ratio * ratio * (both * own + 2.0 * product * cross);
@@ -175,10 +169,8 @@ fn series(x: f64, weight: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// k and μ of one layer of unit width agree with the closed forms of Vallabhan and Das (1991). These are
-    /// k = E₀γ(sinh γ cosh γ + γ)/(2H sinh²γ) and 2t = GH(sinh γ cosh γ − γ)/(2γ sinh²γ), where 2t is μ. H is the
-    /// thickness, E₀ the constrained modulus and G the shear modulus of the layer. γ is H divided by the decay length
-    /// of the vertical displacement over the depth.
+    /// k and μ of one layer of unit width agree with the closed forms of Vallabhan and Das (1991), in which μ is called
+    /// 2t. `gamma` is the thickness of the layer divided by the decay length of the displacement.
     #[test]
     fn one_layer_in_closed_form() {
         let layer = SoilLayer { modulus: 3.0, poisson: 0.2, thickness: 2.0 };
@@ -209,8 +201,8 @@ mod tests {
         }
     }
 
-    /// Under uniform pressure, the layers act like springs in series. The test also checks that the integrals
-    /// computed by `squares` are continuous at its argument c = 0.5, where closed forms replace the power series.
+    /// Under uniform pressure, the layers act like springs in series. `squares` is continuous at c = 0.5, where closed
+    /// forms replace the power series.
     #[test]
     fn layers_are_springs_in_series() {
         let layers = [(2.0, 1.0), (7.0, 0.5), (1.0, 3.0)].map(|(modulus, thickness)| SoilLayer {
@@ -229,8 +221,8 @@ mod tests {
         }
     }
 
-    /// Under a beam of unit width, a unit settlement of the surface needs the pressure k + rμ, because the strain energy
-    /// equals the work of the load. Here r, the variable `rate`, is ∫u'² dx/∫u² dx of the settlement u.
+    /// Under a beam of unit width, a unit settlement needs the pressure k + rμ with r = `rate`, because the strain
+    /// energy equals the work of the load.
     #[test]
     fn the_strain_energy_equals_the_work_of_the_load() {
         let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]
