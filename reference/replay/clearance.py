@@ -18,7 +18,7 @@ def check(r):
         if piece.touches or piece.layered:
             continue
         depth, measure = below(-(piece.above + r.closing[i]), piece.t)
-        r.holds(f"the penetration on piece {i}, which is out of contact", depth, r.raised[i])
+        r.holds(f"the penetration on the open piece {i}", depth, r.raised[i])
         cost += piece.spring.high * depth**2 * (measure * piece.half).min(piece.h)
     r.holds("(sum k eta_o^2 omega_o)^1/2", cost.max(arb(0)).sqrt(), r.risen)
     cost = arb(0)

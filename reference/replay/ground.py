@@ -21,7 +21,7 @@ def check(r):
     r.unclaimed = arb(0)
     for side in (0, 1):
         r.shows(
-            f"the loads on the ground outside the beam act upward, side {side}",
+            f"the loads on the ground outside the beam, side {side}: they act upward",
             r.pushed[side] >= 0 or r.pushed[side].contains(0),
         )
     for i, piece in enumerate(r.pieces):

@@ -10,8 +10,8 @@ use crate::size::Size;
 /// towards a node.
 const INTERVALS: [usize; 2] = [4002, 122];
 
-/// Proven bounds for one end of a piece whose interior has no contact in the claimed solution. At this end, beam and
-/// ground touch in the claimed solution.
+/// Proven bounds of the contact at one end of a piece. In the claimed solution, beam and ground touch at this end and
+/// nowhere inside the piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Approach {
     /// Beam and ground touch at one end of the piece in the claimed solution. In the exact solution, the piece has no

@@ -90,7 +90,7 @@ pub fn prove<S: Enclosing>(model: &Model<S>, answer: &Answer) -> Result<Proof, N
     S::prove(model, answer)
 }
 
-/// Proves the claimed solution in a document, and checks the other numbers that the document lists.
+/// Proves that the solution in a document is correct, and checks the other numbers that the document lists.
 ///
 /// # Errors
 ///

@@ -82,7 +82,8 @@ pub(crate) struct Node<S> {
     pub turning: Option<S>,
     /// Rotational stiffness k_φ of a hinge at the node; exactly 0 for a free hinge, `None` without a hinge.
     pub hinge: Option<S>,
-    /// Stored reaction of the rigid supports at the node: upward force, and moment that turns the right side upward.
+    /// Claimed reaction of the rigid supports at the node: the upward force, and the moment that turns the beam on the
+    /// right of the node upward.
     pub reaction: [S; 2],
     /// Weighting factors of the supports at the node in the redistribution of residual forces.
     pub weights: Weights,
@@ -138,8 +139,8 @@ pub(crate) struct Frame<S> {
     pub compression: Option<Compression<S>>,
     /// Stiffnesses K₀ and K_l of the ground beyond the left and right end of the beam; exactly 0 without such ground.
     pub outside: [S; 2],
-    /// Downward forces T₀ and T_l at the ends of the beam due to loads on the ground beyond it. With the displacement u
-    /// of an end, this ground exerts the upward force Ku − T.
+    /// Downward forces T₀ and T_l at the ends of the beam due to loads on the ground beyond it. If an end moves down by u,
+    /// the ground beyond it exerts the upward force Ku − T, where K is its stiffness.
     pub pushed: [S; 2],
     /// Ground outside the two ends of the beam. `outside` and `pushed` follow from this ground.
     pub rows: [Row<S>; 2],

@@ -169,8 +169,8 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let limited = |force: f64, most: f64| if force < most { force } else { most };
     for node in &mut frame.nodes {
         if node.acts != Acts::Both {
-            // To restore equilibrium, the proof multiplies the reaction of a one-way support by a number between ½ and
-            // 3/2. Only two-way supports need a weighting factor.
+            // A one-way support needs no weighting factor, because its reaction is multiplied by a number between ½ and
+            // 3/2 to restore equilibrium.
             continue;
         }
         let weights = &mut node.weights;

@@ -179,8 +179,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// A claimed piece of length ¼: whether it is in contact, and the coefficients of the deflection w as a polynomial
-    /// in the coordinate t of the piece.
+    /// A piece of the claimed solution, of length ¼: whether it is in contact, and the coefficients of its deflection as
+    /// a polynomial in the coordinate t of the piece.
     type Claimed = (bool, [f64; 3]);
 
     fn with_pieces<T>(

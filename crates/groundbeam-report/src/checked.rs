@@ -147,8 +147,8 @@ pub(crate) struct Verdict {
 /// Reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Governing {
-    /// Index of the result with the largest utilization of the limit, and its check. The error bound applies
-    /// to the largest exact value over all results.
+    /// Index of the result with the largest utilization of the limit, and its check. The error bound of the check holds
+    /// for the largest exact value of all results.
     Judged(usize, Judged),
     /// Index of a result without equilibrium.
     Falls(usize),

@@ -38,7 +38,7 @@ pub struct Answers {
     pub(crate) swept: Vec<Swept>,
 }
 
-/// A load case alone, and its existence check.
+/// The result of one load case without the others, and the check whether its equilibrium exists.
 #[derive(Debug, Clone)]
 pub struct Alone {
     /// The load case, and the model under the loads of this case alone.

@@ -133,8 +133,8 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// Returns the reference magnitude of a field: its largest value in the stored answer, or a larger value for
-    /// rounding errors.
+    /// Returns the reference magnitude of a field: its largest value in the stored answer, or a bound of its rounding
+    /// errors if this is larger.
     fn size(&self, field: Field) -> f64 {
         let own = |field: Field| {
             let values = self.answer().numbers(&format!("extremes_{}", field.name()));

@@ -93,7 +93,10 @@ pub(crate) fn gap<S: Scalar>(
         table.only(&[&["at", "value"]], &[])?;
         let at = position(fields, table, length)?;
         if gap.last().is_some_and(|last| !is_left(last.at, at)) {
-            return wrong(table.at, "the corners of the gap must be in order from left to right");
+            return wrong(
+                table.at,
+                "the corners of the initial gap must be in order from left to right",
+            );
         }
         let value = fields.required::<S>(table, "value", DEFLECTION)?.value;
         gap.push(GapCorner { at, value });

@@ -101,7 +101,7 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
     }
 }
 
-/// One half of the beam is in contact with the pressure p. The errors of the loads are those of (15) in
+/// One half of the beam is in contact; p is its contact pressure. The errors of the loads are those of (15) in
 /// `docs/proof.md`: ε_p + γp + (1 + γ)η in contact, θ(p_o + ε_p) outside an edge, and θ′(1 + γ)p inside an edge.
 #[test]
 fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {

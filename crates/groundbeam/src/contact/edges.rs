@@ -195,8 +195,8 @@ impl Search<'_, '_> {
         Ok(Bond::Trial(Trial { found: Rc::new(found), springs: Some(springs) }))
     }
 
-    /// Solves a beam on one contact point with the rotation of `like`. Returns `None` if this does not solve the
-    /// contact problem.
+    /// Solves a beam that touches the ground at one point and has the rotation of `like` there. Returns `None` if the
+    /// solution does not satisfy the contact conditions.
     fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
         let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
         let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ROUNDING_GAP;

@@ -238,7 +238,7 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
         return None;
     }
     let pressure = ends.map(|point| w.obstacle_and_pressure(point)[2]);
-    // On uniform ground, both end forces vanish for twice this reach.
+    // On uniform ground, both end forces are zero if the span reaches twice as far. At this reach they are tensile.
     let reach = -w.corner(b.cell) / (4.0 * pressure[0].max(pressure[1]));
     let [before, after] = [a.cell, b.cell].map(|i| 2.0 * reach / w.mesh.cells[i].length());
     if !(reach > 0.0 && before < 2.0 && after < 2.0) {

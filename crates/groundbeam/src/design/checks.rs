@@ -219,7 +219,7 @@ impl Limits {
         if let Some(limit) = self.eccentricity
             && let Some(x) = solution.existence().resultant_position(l)
         {
-            // A resultant that exceeds the limit only by rounding error passes.
+            // An eccentricity that exceeds the limit only by rounding error passes.
             let found = (x / l - 0.5).abs();
             let found = if (found - limit).abs() <= SUM_ROUNDING { limit } else { found };
             add(Checked::Eccentricity, limit, found, Some(x));

@@ -66,7 +66,7 @@ impl<R: Real> Layers<R> {
         let mut from_end = Vec::new();
         let mut depth = 0.0;
         while depth < LAYER {
-            // A boundary layer of smaller amplitude needs fewer terms on a piece of the same length.
+            // The amplitude of a boundary layer decreases with the depth, so deeper pieces can be longer.
             depth += LONGEST_SERIES * exp(depth / 24.0);
             from_end.push(depth / fast);
         }

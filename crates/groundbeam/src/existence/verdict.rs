@@ -12,7 +12,7 @@ pub enum Verdict {
     /// More than one equilibrium exists, because this rigid motion does not change the energy. Examples are a beam on a
     /// single point and a free piece beside a hinge.
     NotUnique(RigidMotion),
-    /// No equilibrium exists. In this rigid motion the loads do positive work, or no work if a load needs a
+    /// No equilibrium exists. The loads do positive work in this rigid motion, or zero work if equilibrium needs a
     /// concentrated contact force that the ground cannot exert.
     None(RigidMotion),
     /// A stable equilibrium on the path that starts without compression. Without the ground, the beam would be

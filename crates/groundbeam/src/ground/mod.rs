@@ -1,3 +1,3 @@
-//! Represents open ground, −(μ u′)′ + k u = 0, by two-ports.
+//! Represents ground without contact, −(μ u′)′ + k u = 0, by two-ports.
 
 pub(crate) mod link;

@@ -10,7 +10,7 @@ const COARSEST: f64 = 1.5;
 const STEP: f64 = 4.0;
 /// Minimum number of elements of a coarse grid whose element count follows from the ratio `STEP`.
 const FEWEST: f64 = 20.0;
-/// Maximum element count of the finest coarse grid after its refinement, relative to the required grid.
+/// Maximum element count of the finest coarse grid, relative to the element count of the required grid.
 const SHARE: f64 = 0.3;
 /// Maximum factor by which a refinement increases the element count of the finest coarse grid.
 const SHARPEST: f64 = 6.0;
@@ -44,7 +44,7 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
         // The next coarser grid has the element length √(h/λ), with the present element length h and the wave number λ.
         // Its contact edges are then accurate to one or two nodes of the present grid.
         let mut next = (last * waves).sqrt();
-        // The finest coarse grid is refined, so that its contact edges are at the correct nodes of the required grid.
+        // A finer coarse grid gives the contact edges at the correct nodes of the required grid.
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {
             next *= sharper;
