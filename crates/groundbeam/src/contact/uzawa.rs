@@ -111,7 +111,7 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
 }
 
 /// Performs one sweep (5.17), with the rigid motion for which the new pressure satisfies the equilibrium conditions
-/// (5.20).
+/// (5.19), in the nodal form (5.20).
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,
