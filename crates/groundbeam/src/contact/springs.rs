@@ -62,6 +62,19 @@ pub(super) fn is_rounding_error(w: &Deflection, cell: usize) -> bool {
     0.0 < obstacle && obstacle <= ULPS * f64::EPSILON * size(w.cell(cell))
 }
 
+/// Whether a zone lies in one cell, and ψ is only rounding error at its ends and in its middle. Its contact force is then
+/// below the rounding error of the contact forces.
+pub(super) fn zone_is_rounding_error(w: &Deflection, zone: &MeshZone) -> bool {
+    let cell = zone.from.cell;
+    if cell != zone.to.cell {
+        return false;
+    }
+    let size: f64 = w.cell(cell).iter().map(|c| c.abs()).sum();
+    let points = [zone.from.s, 0.5 * (zone.from.s + zone.to.s), zone.to.s];
+    let distances = points.map(|s| w.obstacle_at(BeamPoint { cell, s }).abs());
+    distances != [0.0; 3] && distances.iter().all(|d| *d <= ULPS * f64::EPSILON * size)
+}
+
 /// The intervals of \[−1, 1\] on which a polynomial is not negative. `knots` is a buffer for their ends.
 pub(super) fn positive_parts<'a>(
     c: &'a [f64],
