@@ -13,7 +13,7 @@ pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> 
     let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
     for cell in run.cells.clone() {
-        for part in positive_parts(&signed(w, cell), &mut knots) {
+        for part in contact_parts(w, cell, &signed(w, cell), &mut knots) {
             join(&mut zones, cell, part, true);
         }
     }
@@ -24,7 +24,7 @@ pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> 
 pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     let mut knots = Vec::new();
     let mut from = -1.0;
-    for [a, b] in positive_parts(&signed(w, cell), &mut knots) {
+    for [a, b] in contact_parts(w, cell, &signed(w, cell), &mut knots) {
         if from < a {
             parts.push(SurfacePart { cell, s: [from, a], open: Some([0.0; 2]) });
         }
@@ -36,12 +36,9 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     }
 }
 
-/// Returns a polynomial with the sign of the obstacle in a cell, or 0 if the obstacle is rounding error. Zeros at rigid
-/// supports are divided out, because rounding error could move them into the cell.
+/// Returns a polynomial with the sign of the obstacle in a cell. Zeros at rigid supports are divided out, because
+/// rounding error could move them into the cell.
 fn signed(w: &Deflection, cell: usize) -> Coefficients {
-    if is_rounding_error(w, cell) {
-        return Coefficients::zeros(1);
-    }
     let mut obstacle = w.obstacle(cell);
     for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {
         for _ in 0..count {
@@ -54,25 +51,42 @@ fn signed(w: &Deflection, cell: usize) -> Coefficients {
     obstacle
 }
 
-/// Whether the obstacle is rounding error, but not zero, on a whole cell. Sign changes of rounding error would be false
-/// contact edges. See *Contact without pressure* in `docs/methods.md`.
+/// Returns the parts of a cell on Winkler ground in contact. `signed` has the sign of the obstacle. A part on which the
+/// obstacle is rounding error is in contact. See *Contact without pressure* in `docs/methods.md`.
+fn contact_parts<'a>(
+    w: &'a Deflection,
+    cell: usize,
+    signed: &'a [f64],
+    knots: &'a mut Vec<f64>,
+) -> impl Iterator<Item = [f64; 2]> + 'a {
+    parts(signed, knots)
+        .filter(move |[a, b]| is_positive(signed, [*a, *b]) || is_small(w, cell, [*a, *b]))
+}
+
+/// Whether the obstacle is rounding error, but not zero, on a whole cell.
 pub(super) fn is_rounding_error(w: &Deflection, cell: usize) -> bool {
-    let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
     let obstacle = size(&w.obstacle(cell));
     0.0 < obstacle && obstacle <= ULPS * f64::EPSILON * size(w.cell(cell))
 }
 
-/// Whether a zone lies in one cell, and ψ is only rounding error at its ends and in its middle. Its contact force is then
-/// below the rounding error of the contact forces.
+/// Whether the obstacle is rounding error, but not zero, in a zone within one cell. The contact force of the zone is then
+/// rounding error too.
 pub(super) fn zone_is_rounding_error(w: &Deflection, zone: &MeshZone) -> bool {
-    let cell = zone.from.cell;
-    if cell != zone.to.cell {
-        return false;
-    }
-    let size: f64 = w.cell(cell).iter().map(|c| c.abs()).sum();
-    let points = [zone.from.s, 0.5 * (zone.from.s + zone.to.s), zone.to.s];
-    let distances = points.map(|s| w.obstacle_at(BeamPoint { cell, s }).abs());
-    distances != [0.0; 3] && distances.iter().all(|d| *d <= ULPS * f64::EPSILON * size)
+    let MeshZone { from, to } = *zone;
+    let nonzero = |point: BeamPoint| w.obstacle_at(point) != 0.0;
+    from.cell == to.cell && is_small(w, from.cell, [from.s, to.s]) && (nonzero(from) || nonzero(to))
+}
+
+/// Whether the obstacle is at most rounding error at the ends and in the middle of a part of a cell.
+fn is_small(w: &Deflection, cell: usize, [from, to]: [f64; 2]) -> bool {
+    let error = ULPS * f64::EPSILON * size(w.cell(cell));
+    let obstacle = |s: f64| w.obstacle_at(BeamPoint { cell, s });
+    [from, 0.5 * (from + to), to].into_iter().all(|s| obstacle(s).abs() <= error)
+}
+
+/// Sum of the magnitudes of the coefficients of a polynomial, a bound of its values on \[−1, 1\].
+fn size(c: &[f64]) -> f64 {
+    c.iter().map(|c| c.abs()).sum()
 }
 
 /// The intervals of \[−1, 1\] on which a polynomial is not negative. `knots` is a buffer for their ends.
@@ -80,20 +94,30 @@ pub(super) fn positive_parts<'a>(
     c: &'a [f64],
     knots: &'a mut Vec<f64>,
 ) -> impl Iterator<Item = [f64; 2]> + 'a {
+    parts(c, knots).filter(|part| is_positive(c, *part))
+}
+
+/// The intervals of \[−1, 1\] between the sign changes of a polynomial. `knots` is a buffer for their ends.
+fn parts<'a>(c: &'a [f64], knots: &'a mut Vec<f64>) -> impl Iterator<Item = [f64; 2]> + 'a {
     knots.clear();
     knots.push(-1.0);
     sign_changes(c, knots);
     knots.push(1.0);
-    let parts = knots.windows(2).map(|k| [k[0], k[1]]);
-    parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
+    knots.windows(2).map(|k| [k[0], k[1]]).filter(|[a, b]| b > a)
 }
 
-/// Appends a part of a cell to the last zone if the part adjoins this zone and `may_join` is set. Otherwise starts a
-/// new zone.
+/// Whether a polynomial is not negative in the middle of an interval.
+fn is_positive(c: &[f64], [from, to]: [f64; 2]) -> bool {
+    value(c, 0.5 * (from + to)) >= 0.0
+}
+
+/// Appends a part of a cell to the last zone if the part adjoins this zone, in another cell only if `may_join` is set.
+/// Otherwise starts a new zone.
 pub(super) fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
     if let Some(last) = zones.last_mut() {
-        let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;
-        if meets && may_join {
+        let crosses = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;
+        let continues = last.to == BeamPoint { cell, s: from };
+        if crosses && may_join || continues {
             last.to = BeamPoint { cell, s: to };
             return;
         }
