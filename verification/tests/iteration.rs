@@ -119,6 +119,48 @@ fn a_long_beam_on_two_settled_clamps_has_few_contact_zones() {
 }
 
 #[test]
+fn a_contact_zone_of_rounding_size_beside_a_clamp_is_left_out() {
+    // The clamp at 65 m settles by one rounding error more than the initial gap. Bonded, a zone of 10⁻¹¹ m beside it has
+    // a false force that exceeds the loads.
+    let mut beam = Beam::uniform(200.0, 4.173e5);
+    beam.axial_force = 3.369e4;
+    let mut model = Model::new(beam, Foundation::pasternak(5.809e8, 1.041e4))
+        .with_load(Load::point_force(187.96, 1.147e5))
+        .with_load(Load::point_force(140.66, 9.206e4));
+    for (at, settlement) in [(65.0, 0.060_000_000_000_000_01), (110.0, 0.05), (180.0, 0.05)] {
+        model = model.with_support(Support::fixed(at).settled(settlement));
+    }
+    for (at, gap) in [
+        (10.0, 0.060_000_000_000_000_005),
+        (70.0, 0.060_000_000_000_000_005),
+        (100.0, 0.04),
+        (110.0, 0.05),
+    ] {
+        model = model.with_gap(at, gap);
+    }
+    assert!(matches!(solve(&model), Ok(Outcome::Equilibrium(_))));
+}
+
+#[test]
+fn gaps_of_rounding_size_on_winkler_ground_are_closed() {
+    // Between the supports the beam lies on the ground, and its deformation decays to rounding error within each cell.
+    let mut beam = Beam::uniform(200.0, 2.203e5);
+    beam.shear_stiffness = Some(3.062e8);
+    let model = Model::new(beam, Foundation::winkler(6.967e7))
+        .with_load(Load::point_force(173.81, 6.834e5))
+        .with_load(Load::point_force(125.58, 1.571e5))
+        .with_support(Support::fixed(30.0).settled(0.05))
+        .with_support(Support::pinned(115.0).settled(0.05))
+        .with_gap(10.0, 0.07)
+        .with_gap(30.0, 0.05)
+        .with_gap(50.0, 0.05);
+    match solve(&model) {
+        Ok(Outcome::Equilibrium(solution)) => assert_eq!(solution.contact().len(), 3),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
 fn intervals_on_which_rounding_error_decides_are_undecided() {
     // Beside the clamp, the distance between beam and ground decays to zero. Beam and ground have the height 0.05 m
     // there, and its rounding error exceeds the distance.
