@@ -10,7 +10,7 @@ use crate::contact::edge_error::EdgeError;
 use crate::contact::edge_step;
 use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
 use crate::contact::obstacle;
-use crate::contact::springs::is_rounding_error;
+use crate::contact::springs::zone_is_rounding_error;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
@@ -314,8 +314,8 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// Solves the beam without the zones whose contact force is rounding error. Zones whose distance from the ground is
-    /// rounding error stay in contact.
+    /// Solves the beam without the zones whose contact force is rounding error. On Winkler ground, a zone in which the
+    /// obstacle is rounding error stays in contact.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -328,10 +328,15 @@ impl Search<'_, '_> {
         let forces = zone_forces(&found.deflection(), contact, &found.zones);
         let all: f64 = forces.iter().map(|force| force.abs()).sum();
         let each = contact.iter().copied().zip(forces);
-        let (w, mesh) = (found.deflection(), &found.mesh);
-        let is_lost = |[from, to]: Interval| is_rounding_error(&w, mesh.cell_at(0.5 * (from + to)));
+        let w = found.deflection();
+        let on_winkler_ground = |[from, to]: Interval| {
+            w.mesh.cells[w.mesh.cell_at(0.5 * (from + to))].shear_layer == 0.0
+        };
         let (strong, weightless): (Vec<_>, Vec<_>) =
-            each.partition(|(zone, force)| *force > WEIGHTLESS * all || is_lost(*zone));
+            each.partition(|(zone, force)| match zone_is_rounding_error(&w, *zone) {
+                true => on_winkler_ground(*zone),
+                false => *force > WEIGHTLESS * all,
+            });
         if weightless.is_empty() {
             return None;
         }

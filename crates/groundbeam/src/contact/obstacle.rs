@@ -5,9 +5,7 @@
 //! operations. See section 2 of `docs/methods.md`.
 
 use crate::contact::short_span;
-use crate::contact::springs::{
-    is_rounding_error, join, positive_parts, winkler_contact, zone_is_rounding_error,
-};
+use crate::contact::springs::{is_rounding_error, join, positive_parts, winkler_contact};
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
@@ -19,8 +17,7 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
     for run in ground_runs(w.mesh) {
         if run.pasternak {
-            let is_pressed = |zone: &MeshZone| !w.is_held(zone) && !zone_is_rounding_error(w, zone);
-            zones.extend(Scan { w, run: &run }.run().into_iter().filter(is_pressed));
+            zones.extend(Scan { w, run: &run }.run().into_iter().filter(|zone| !w.is_held(zone)));
         } else {
             zones.extend(winkler_contact(w, &run));
         }

@@ -1,5 +1,6 @@
 //! Computes the contact zones on ground without a shear layer, and the intervals on which a polynomial is not negative.
 
+use crate::contact::intervals::Interval;
 use crate::contact::stopping::ULPS;
 use crate::contact::surface::SurfacePart;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
@@ -69,12 +70,11 @@ pub(super) fn is_rounding_error(w: &Deflection, cell: usize) -> bool {
     0.0 < obstacle && obstacle <= ULPS * f64::EPSILON * size(w.cell(cell))
 }
 
-/// Whether the obstacle is rounding error, but not zero, in a zone within one cell. The contact force of the zone is then
-/// rounding error too.
-pub(super) fn zone_is_rounding_error(w: &Deflection, zone: &MeshZone) -> bool {
-    let MeshZone { from, to } = *zone;
-    let nonzero = |point: BeamPoint| w.obstacle_at(point) != 0.0;
-    from.cell == to.cell && is_small(w, from.cell, [from.s, to.s]) && (nonzero(from) || nonzero(to))
+/// Whether a contact zone lies in one cell, and the obstacle is at most rounding error at its ends and in its middle.
+pub(super) fn zone_is_rounding_error(w: &Deflection, [from, to]: Interval) -> bool {
+    let i = w.mesh.cell_at(0.5 * (from + to));
+    let cell = &w.mesh.cells[i];
+    cell.x[0] <= from && to <= cell.x[1] && is_small(w, i, [from, to].map(|x| cell.local(x)))
 }
 
 /// Whether the obstacle is at most rounding error at the ends and in the middle of a part of a cell.
