@@ -29,6 +29,8 @@ pub struct Document {
     pub combination: Option<String>,
     /// The claimed answer: the pieces of the deflection, the concentrated contact forces and the reactions of the supports.
     pub answer: Answer,
+    /// Verdict on existence that the document lists; `None` if it lists none.
+    pub verdict: Option<String>,
     /// Listed contact regions as (left end, right end) \[m\]. Both ends of a contact point are equal. `None` if the
     /// document lists no regions.
     pub contact: Option<Vec<[f64; 2]>>,
@@ -127,6 +129,9 @@ impl Document {
             return wrong("`pieces` has more than 100000 elements");
         }
         document.answer.pieces = pieces.into_iter().map(piece).collect::<Result<_, _>>()?;
+        if let Some(Json::Object(existence)) = root.get_mut("existence") {
+            document.verdict = text_of(existence, "verdict")?;
+        }
         document.forces(&mut root)?;
         document.contact(&mut root)?;
         document.stations = stations(&mut root, "stations")?;
@@ -155,6 +160,10 @@ impl Document {
             }
             let force = number(&mut reaction, "force")?;
             let moment = optional(&mut reaction, "moment")?.unwrap_or(0.0);
+            let state = text_of(&mut reaction, "state")?;
+            if state.is_some_and(|state| (state == "acting") != (force != 0.0)) {
+                return wrong(format!("the `state` of support {support} contradicts its reaction"));
+            }
             self.answer.reactions.push(Reaction { support, force, moment });
             rest("reactions", &reaction, &mut self.not_covered);
         }

@@ -93,6 +93,8 @@ pub(crate) struct Node<S> {
     pub corner: bool,
     /// Whether the stiffness μ of the shear layer or the shear stiffness S of the beam jumps at the node.
     pub stepped: bool,
+    /// Whether the free-field settlement q/k of Winkler ground may jump at the node: k jumps, or a load on the ground ends.
+    pub uneven: bool,
 }
 
 /// Weighting factors of the supports in the redistribution of residual forces. Equilibrium holds for any positive factors.
@@ -167,6 +169,7 @@ impl<S: Scalar> Node<S> {
             pressed: false,
             corner: false,
             stepped: false,
+            uneven: false,
         }
     }
 

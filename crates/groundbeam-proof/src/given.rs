@@ -179,8 +179,8 @@ fn stiffness<S: Scalar>(
         span.spring = even(ground.spring, -2);
         span.shear = even(ground.shear, 0);
     }
-    // `courses` contains the profiles of μ and S for each piece that lies in a segment.
-    let mut courses = vec![[None; 2]; frame.spans.len()];
+    // `courses` contains the profiles of μ, S and k for each piece that lies in a segment.
+    let mut courses = vec![[None; 3]; frame.spans.len()];
     for (piece, j) in pieces_of(places.beam.iter().copied(), frame.spans.len())? {
         let segment = &beam.segments[j];
         let part = Part::of(&frame.spans[piece], [segment.from, segment.to], units);
@@ -193,6 +193,7 @@ fn stiffness<S: Scalar>(
     for (piece, j) in pieces_of(places.ground.iter().copied(), frame.spans.len())? {
         let segment = &ground.segments[j];
         courses[piece][0] = Some(&segment.shear);
+        courses[piece][2] = Some(&segment.spring);
         let part = Part::of(&frame.spans[piece], [segment.from, segment.to], units);
         frame.spans[piece].spring = part.course(&segment.spring, -2)?;
         frame.spans[piece].shear = part.course(&segment.shear, 0)?;
@@ -217,10 +218,10 @@ fn stiffness<S: Scalar>(
     Ok(())
 }
 
-/// Marks the nodes at which the stiffness μ of the shear layer or the shear stiffness S of the beam jumps. Both
-/// are continuous inside a segment.
-fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame: &mut Frame<S>) {
-    let (shear, stiffness) = (model.ground.shear, model.beam.shear_stiffness);
+/// Marks the nodes at which the stiffness μ of the shear layer, the shear stiffness S of the beam or the subgrade modulus
+/// k jumps. They are continuous inside a segment.
+fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 3]], frame: &mut Frame<S>) {
+    let (ground, stiffness) = (&model.ground, model.beam.shear_stiffness);
     let same = |a: Option<&Course<S>>, b: Option<&Course<S>>, base: Option<S>| match (a, b) {
         (Some(a), Some(b)) if std::ptr::eq(a, b) => true,
         _ => a.map_or(base, |a| a.end(1)) == b.map_or(base, |b| b.end(0)),
@@ -228,7 +229,8 @@ fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame
     for (node, pair) in frame.nodes.iter_mut().skip(1).zip(courses.windows(2)) {
         let [left, right] = [pair[0], pair[1]];
         node.stepped =
-            !(same(left[0], right[0], Some(shear)) && same(left[1], right[1], stiffness));
+            !(same(left[0], right[0], Some(ground.shear)) && same(left[1], right[1], stiffness));
+        node.uneven = !same(left[2], right[2], Some(ground.spring));
     }
 }
 
@@ -318,6 +320,13 @@ fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
             Extent::Distributed { from, to, start, end } => {
                 let ends = [from, to].map(|x| units.metres(x));
                 let sizes = [start, end].map(|size| units.scaled(size, force, length - 1));
+                if load.on_ground {
+                    if sizes == [S::zero(); 2] {
+                        continue;
+                    }
+                    frame.nodes[*first].uneven = true;
+                    frame.nodes[*last].uneven = true;
+                }
                 for span in frame.spans.iter_mut().take(*last).skip(*first) {
                     let line = span.line(ends, sizes);
                     if load.on_ground {

@@ -272,20 +272,26 @@ impl<S: Scalar> Comparison<'_, S> {
             found.unknown.push(format!("extremes.{}", extreme.field));
             return Ok(());
         };
-        let place = self.place(extreme.x)?;
-        let mut off = self.difference(field, extreme.value, place);
-        let (i, t) = place;
-        if i > 0 && t == self.fields.frame.spans[i].t[0] {
-            let left = (i - 1, self.fields.frame.spans[i - 1].t[1]);
-            let on_left = self.difference(field, extreme.value, left);
-            off = if on_left < off { on_left } else { off };
-        }
+        let off = self.nearest_difference(field, extreme.x, extreme.value)?;
         enlarge(&mut found.fields[field], off);
         enlarge(
             &mut found.fields[field],
             self.beyond(field, extreme, 0..self.patches.pieces.len()),
         );
         Ok(())
+    }
+
+    /// Returns the difference between `listed` and the value of a field at a position. At a node, the side with the smaller
+    /// difference counts.
+    fn nearest_difference(&self, field: usize, x: f64, listed: f64) -> Result<f64, NotProven> {
+        let (i, t) = self.place(x)?;
+        let here = self.difference(field, listed, (i, t));
+        if i == 0 || t != self.fields.frame.spans[i].t[0] {
+            return Ok(here);
+        }
+        let left = (i - 1, self.fields.frame.spans[i - 1].t[1]);
+        let on_left = self.difference(field, listed, left);
+        Ok(if on_left < here { on_left } else { here })
     }
 
     /// Compares the largest gap that is listed for a lifted-off stretch with the claimed gap. The stretch must end at
@@ -304,15 +310,17 @@ impl<S: Scalar> Comparison<'_, S> {
             )
             .at(*from));
         }
-        let first = pieces.partition_point(|piece| piece.x[0] < *from);
-        let range = first..pieces.partition_point(|piece| piece.x[1] <= *to).max(first);
-        let touches = pieces[range.clone()].iter().any(|piece| piece.touches);
-        if touches || ends.iter().any(|edge| from < edge && edge < to) {
+        let near = NEAR * self.length();
+        let first = pieces.partition_point(|piece| piece.x[1] <= from + near);
+        let range = first..pieces.partition_point(|piece| piece.x[0] < to - near).max(first);
+        let touches = pieces[range.clone()].iter().any(|piece| piece.touches)
+            || (range.start + 1..range.end).any(|node| self.fields.surface.touches[node]);
+        if range.is_empty() || touches || ends.iter().any(|edge| from < edge && edge < to) {
             return Err(NotProven::new("a stretch that is listed as out of contact is in contact")
                 .at(*from));
         }
         let largest = Extreme { field: "gap".to_owned(), is_max: true, x: *x, value: *value };
-        let off = self.difference(GAP, *value, self.place(*x)?);
+        let off = self.nearest_difference(GAP, *x, *value)?;
         enlarge(&mut found.fields[GAP], off);
         enlarge(&mut found.fields[GAP], self.beyond(GAP, &largest, range));
         found.checked.values += 1;

@@ -40,8 +40,7 @@ impl<S: Scalar> Contact<'_, S> {
             if !self.rests(*i) {
                 return false;
             }
-            let is_zero = |load: &Line<S>| load.size(span.tau) == Size::ZERO;
-            match span.ground_load.as_ref().is_none_or(is_zero) {
+            match span.ground_load.is_none() {
                 true => listed.replace(span.touches).is_some_and(|before| before != span.touches),
                 false => span.touches,
             }

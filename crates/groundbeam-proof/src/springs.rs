@@ -18,6 +18,13 @@ impl<S: Scalar> Contact<'_, S> {
     ) -> Result<(), NotProven> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
+        let reopens = |i: &usize| differs(*i - 1, *i) && self.reopens(*i);
+        if let Some(node) = (first + 1..end).find(reopens) {
+            return Err(self.failed(
+                "the load on the ground or the subgrade modulus jumps at a contact edge",
+                node,
+            ));
+        }
         if let Some(piece) = self.divided_rest(first, end) {
             return Err(self.failed(
                 "a part of the beam that rests on the ground without pressure is claimed to be in contact only in part",
@@ -37,8 +44,7 @@ impl<S: Scalar> Contact<'_, S> {
                 let stands = self.stands(i, side) && spans[i].ground_load.is_none();
                 // At a jump of the initial gap or of a load on the ground, the clearance may change its sign without
                 // a zero.
-                let at_end = field.value(S::Coarse::of(interval[side])).low();
-                let steps = at_end > more(self.bounds[i].deflection).value();
+                let steps = self.is_clear_at(i, side);
                 if (!edges[side] || steps) && !stands {
                     continue;
                 }
@@ -87,6 +93,32 @@ impl<S: Scalar> Contact<'_, S> {
             });
         }
         Ok(())
+    }
+
+    /// Whether there may be two contact edges near a claimed one. This requires a jump of the free-field settlement q/k at
+    /// the edge: w* − g₀ − q/k may then be negative on the claimed contact side of the edge and positive on the other.
+    fn reopens(&self, node: usize) -> bool {
+        let frame = self.fields.frame;
+        let spans = [&frame.spans[node - 1], &frame.spans[node]];
+        if !frame.nodes[node].uneven || spans.iter().all(|span| span.ground_load.is_none()) {
+            return false;
+        }
+        let [left, right] = [0, 1].map(|i| {
+            let (span, side) = (spans[i], 1 - i);
+            span.ground_load
+                .as_ref()
+                .map_or(S::zero(), |load| load.value(span.t[side]).div(span.spring.at_end(side)))
+        });
+        let [touching, open] = if spans[0].touches { [left, right] } else { [right, left] };
+        let sinks = (open - touching).low() >= 0.0;
+        let is_clear = |side: usize| self.is_clear_at(node - 1 + side, 1 - side);
+        !sinks && !is_clear(0) && !is_clear(1)
+    }
+
+    /// Whether the claimed sign of w − g₀ − q/k is proven at an end of a piece.
+    fn is_clear_at(&self, i: usize, side: usize) -> bool {
+        let end = S::Coarse::of(self.fields.frame.spans[i].interval()[side]);
+        self.signed(i).value(end).low() > more(self.bounds[i].deflection).value()
     }
 
     /// Returns w − g₀ − q/k on a piece in contact and its negative on an open piece, with the initial gap g₀ and the
@@ -242,6 +274,34 @@ mod tests {
             let (_, refused) = found(fields, 1, &errors(4, [0.01, 4.5]));
             assert_eq!(refused.and_then(|why| why.at), Some(0.5));
         });
+    }
+
+    /// The beam crosses the ground at x = ¼ with the slope −4. A load on the ground under the contact zone, or a larger
+    /// subgrade modulus beside it, lowers w − g₀ − q/k there: the beam may then be open at the left of the edge and in
+    /// contact at its right. In the mirrored cases the jump only widens the gap.
+    #[test]
+    fn an_edge_at_a_jump_of_the_free_field_settlement_is_proven_only_if_the_gap_widens() {
+        let load = |from: f64, to: f64| {
+            format!("[[ground_load]]\ndistributed = 1e-3\nfrom = {from}\nto = {to}\n")
+        };
+        let stiff = |from: f64, to: f64| {
+            format!("[[foundation.segment]]\nfrom = {from}\nto = {to}\nk = 2\n")
+        };
+        let falls = (false, [-0.5, -0.5, 0.0]);
+        for (added, proven) in [
+            (load(0.0, 0.5), true),
+            (load(0.0, 0.25), false),
+            (load(0.25, 0.5), true),
+            (stiff(0.0, 0.25), true),
+            (load(0.0, 0.5) + &stiff(0.0, 0.25), true),
+            (load(0.0, 0.5) + &stiff(0.25, 0.5), false),
+        ] {
+            with_pieces(&[FALLING, falls], &added, |fields| {
+                let error = 0.01 * (fields.frame.spans[0].h.middle() / 0.25);
+                let (_, refused) = found(fields, 0, &errors(2, [error, 1.0]));
+                assert_eq!(refused.is_none(), proven, "{added}");
+            });
+        }
     }
 
     /// A piece is proven to be in or out of contact only if |w − g₀| exceeds the error bound of w on the whole piece,

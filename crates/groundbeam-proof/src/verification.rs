@@ -104,7 +104,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         .or_else(|| found.failed.or(verification.large()).or(verification.misplaced()))
         .or(far)
         .or(claimed)
-        .or_else(|| verification.claimed_places(document));
+        .or_else(|| verification.claimed_places(document))
+        .or_else(|| verification.verdict(document));
     verification
 }
 
@@ -199,6 +200,18 @@ impl Verification {
             }
         }
         first
+    }
+
+    /// Reports a listed verdict that contradicts the proof: no equilibrium, or several equilibria if it is unique.
+    fn verdict(&self, document: &Document) -> Option<NotProven> {
+        let verdict = document.verdict.as_deref()?;
+        let contradicts = match verdict {
+            "unique" | "local" => false,
+            "not-unique" => self.proof.unique.is_ok(),
+            _ => true,
+        };
+        let what = || NotProven::new(format!("the listed verdict `{verdict}` is wrong"));
+        contradicts.then(what)
     }
 
     /// Reports the first extreme whose claimed intervals do not contain all proven positions.

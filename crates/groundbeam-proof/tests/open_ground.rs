@@ -1,7 +1,7 @@
 //! Tests the settlements, gaps and stretches that a document lists for open ground between contact points, in closed form.
 
 use crate::listed::{CHANGE, covers_change, is_error, region, right, verified, with};
-use groundbeam_proof::Verification;
+use groundbeam_proof::{Document, Verification};
 use serde_json::{Value, json};
 
 /// A level beam, w = 1, stands on two ridges at x = 1 and 3 of endless ground with μ = 1 and k = b². Between and beside them the
@@ -164,5 +164,48 @@ fn the_bound_of_a_wrong_settlement_of_loaded_springs_is_its_error() {
             let found = verified(model, &with(&document, &place, CHANGE));
             is_error(&place, &found, found.error_of(field));
         }
+    }
+}
+
+#[test]
+fn a_stretch_whose_ends_are_moved_by_rounding_errors_covers_the_same_pieces() {
+    let ridges = OnRidges::new(8.0);
+    let mut document = ridges.document();
+    let from = 1.0_f64.next_up();
+    document["contact"] = json!([{"from": from, "to": from}, {"from": 3, "to": 3}]);
+    let listed = |x: f64| {
+        let largest = json!({"x": x, "value": ridges.gap(x)});
+        json!([{"from": from, "to": 3, "largest_gap": largest}])
+    };
+    document["lift_off"] = listed(2.0);
+    assert_eq!(ridges.verified(&document).shortfall, None);
+    document["lift_off"] = listed(2.875);
+    let missed = ridges.gap(2.0) - ridges.gap(2.875);
+    let found = ridges.verified(&document);
+    assert!(found.shortfall.is_some() && found.error_of("gap") >= (1.0 - 1e-9) * missed);
+    // The whole beam as one stretch, without a list of contact regions.
+    let mut document = ridges.document();
+    let members = document.as_object_mut().expect("an object");
+    members.remove("contact");
+    let largest = json!({"x": 2, "value": ridges.gap(2.0)});
+    document["lift_off"] = json!([{"from": 0, "to": 4, "largest_gap": largest}]);
+    let why = ridges.verified(&document).shortfall.expect("points of contact").what;
+    assert!(why.contains("is in contact"), "{why}");
+}
+
+#[test]
+fn a_listed_verdict_and_the_states_of_supports_agree_with_the_solution() {
+    let ridges = OnRidges::new(8.0);
+    for (verdict, wrong) in [("unique", false), ("not-unique", true), ("none", true)] {
+        let mut document = ridges.document();
+        document["existence"] = json!({"verdict": verdict});
+        assert_eq!(ridges.verified(&document).shortfall.is_some(), wrong, "{verdict}");
+    }
+    for (state, force, agrees) in
+        [("acting", 1, true), ("acting", 0, false), ("lifted", 1, false), ("lifted", 0, true)]
+    {
+        let reactions = json!([{"force": force, "moment": 0, "state": state}]);
+        let read = Document::read(&json!({"reactions": reactions}).to_string());
+        assert_eq!(read.is_ok(), agrees, "{state} {force}");
     }
 }
