@@ -82,8 +82,7 @@ pub(crate) struct Node<S> {
     pub turning: Option<S>,
     /// Rotational stiffness k_φ of a hinge at the node; exactly 0 for a free hinge, `None` without a hinge.
     pub hinge: Option<S>,
-    /// Claimed reaction of the rigid supports at the node: the upward force, and the moment that turns the beam on the
-    /// right of the node upward.
+    /// Claimed reaction of the rigid supports: upward force, and moment that turns the beam on the right upward.
     pub reaction: [S; 2],
     /// Weighting factors of the supports at the node in the redistribution of residual forces.
     pub weights: Weights,

@@ -289,17 +289,24 @@ impl<S: Scalar> Part<S> {
 /// Whether a load on the ground may act upward. The proof of (8) in docs/proof.md requires downward loads on the
 /// ground.
 fn lifts<S: Scalar>(load: &Load<S>) -> bool {
-    let sizes = match load.extent {
+    load.on_ground && sizes(load).iter().any(|size| !(size.low() >= 0.0))
+}
+
+/// Returns the sizes of a load at its two ends.
+fn sizes<S: Scalar>(load: &Load<S>) -> [S; 2] {
+    match load.extent {
         Extent::Point { size, .. } => [size; 2],
         Extent::Distributed { start, end, .. } => [start, end],
-    };
-    load.on_ground && sizes.iter().any(|size| !(size.low() >= 0.0))
+    }
 }
 
 fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
     let units = frame.units;
     for (load, place) in model.loads.iter().zip(&places.loads) {
         let Some([first, last]) = place else { continue };
+        if sizes(load) == [S::zero(); 2] {
+            continue;
+        }
         let (force, length) = match load.action {
             Action::Force => (1, 0),
             Action::Moment => (1, 1),
@@ -321,9 +328,6 @@ fn loads<S: Scalar>(model: &Model<S>, places: &Places, frame: &mut Frame<S>) {
                 let ends = [from, to].map(|x| units.metres(x));
                 let sizes = [start, end].map(|size| units.scaled(size, force, length - 1));
                 if load.on_ground {
-                    if sizes == [S::zero(); 2] {
-                        continue;
-                    }
                     frame.nodes[*first].uneven = true;
                     frame.nodes[*last].uneven = true;
                 }
