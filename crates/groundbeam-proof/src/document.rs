@@ -31,6 +31,8 @@ pub struct Document {
     pub answer: Answer,
     /// Verdict on existence that the document lists; `None` if it lists none.
     pub verdict: Option<String>,
+    /// Number and listed state of each one-way support whose state is listed.
+    pub states: Vec<(usize, String)>,
     /// Listed contact regions as (left end, right end) \[m\]. Both ends of a contact point are equal. `None` if the
     /// document lists no regions.
     pub contact: Option<Vec<[f64; 2]>>,
@@ -90,6 +92,9 @@ impl Document {
         let Some(combinations) = root.remove("combinations") else {
             return Ok(vec![Document::of(root)?]);
         };
+        if root.contains_key("existence") {
+            return wrong("`existence` must be in the elements of `combinations`");
+        }
         let [digest, units] = [text_of(&mut root, "model_digest")?, text_of(&mut root, "units")?];
         let mut read: Vec<Document> = Vec::new();
         for combination in list(combinations, "combinations")? {
@@ -160,9 +165,8 @@ impl Document {
             }
             let force = number(&mut reaction, "force")?;
             let moment = optional(&mut reaction, "moment")?.unwrap_or(0.0);
-            let state = text_of(&mut reaction, "state")?;
-            if state.is_some_and(|state| (state == "acting") != (force != 0.0)) {
-                return wrong(format!("the `state` of support {support} contradicts its reaction"));
+            if let Some(state) = text_of(&mut reaction, "state")? {
+                self.states.push((support, state));
             }
             self.answer.reactions.push(Reaction { support, force, moment });
             rest("reactions", &reaction, &mut self.not_covered);

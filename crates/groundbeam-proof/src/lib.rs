@@ -43,6 +43,7 @@ mod json_object;
 mod kinds;
 mod lemmas;
 mod listed;
+mod listed_objects;
 mod log;
 mod model;
 mod outside;

@@ -1,10 +1,11 @@
 //! Compares the values that a result document lists with the fields of the claimed solution in the same document.
 
-use crate::contact_set::ContactSet;
+use crate::contact_set::{Contact, ContactSet};
 use crate::document::{Document, Extreme, Stations};
 use crate::extremes::{PlacedExtreme, placed};
 use crate::fields::Fields;
-use crate::patches::{FIELDS, GAP, MOMENT, PRESSURE, Patches, ROTATION, field_named};
+use crate::listed_objects::farthest;
+use crate::patches::{FIELDS, PRESSURE, Patches, field_named};
 use crate::polynomial::{Budget, Line, Polynomial, below};
 use crate::proof::Proof;
 use crate::refusal::NotProven;
@@ -13,7 +14,7 @@ use crate::size::Size;
 use std::ops::Range;
 
 /// Two positions are different if their distance exceeds this fraction of the length of the beam.
-const NEAR: f64 = 16.0 * f64::EPSILON;
+pub(crate) const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// Numbers of listed values that were compared, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -76,7 +77,7 @@ impl ListedErrors {
 }
 
 /// Returns the largest of the errors; zero for an empty list.
-fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
+pub(crate) fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
     errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
 }
 
@@ -128,7 +129,7 @@ pub(crate) fn differences<S: Scalar>(
     for hinge in &document.hinges {
         failed = failed.or(comparison.hinge(hinge, &mut found).err());
     }
-    failed = failed.or(comparison.forces_at_one_place());
+    failed = failed.or(comparison.listed_twice());
     if let Some(contact) = contact {
         match edges(document, contact) {
             Ok(edges) => found.contact.edges = edges,
@@ -155,7 +156,9 @@ fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2
     let Ok(contact) = &proof.contact else { return vec![[0.0, length]] };
     let near = NEAR * length;
     let edges = contact.regions.iter().flat_map(|region| [region.from, region.to]);
-    let inside = edges.filter(|[low, high]| near < *high && *low < length - near);
+    // At an end of the beam whose contact is certain, the interval of the edge is that of the node.
+    let [end, _] = Contact { fields, bounds: &[] }.interval(frame.spans.len(), [Size::ZERO; 2]);
+    let inside = edges.filter(|[low, high]| 0.0 < *high && *low < end);
     inside.map(|[low, high]| [low - near, high + near]).collect()
 }
 
@@ -164,20 +167,20 @@ pub(crate) fn holds(intervals: &[[f64; 2]], x: f64) -> bool {
     intervals.iter().any(|[low, high]| *low <= x && x <= *high)
 }
 
-struct Comparison<'a, S> {
-    document: &'a Document,
-    fields: &'a Fields<'a, S>,
-    patches: Patches<S>,
+pub(crate) struct Comparison<'a, S> {
+    pub document: &'a Document,
+    pub fields: &'a Fields<'a, S>,
+    pub patches: Patches<S>,
 }
 
 impl<S: Scalar> Comparison<'_, S> {
-    fn length(&self) -> f64 {
+    pub fn length(&self) -> f64 {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
     /// Returns the index of the piece that contains a position, and the coordinate t of the position on this piece. A
     /// node belongs to the piece on its right.
-    fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
+    pub fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
         if !(-near <= x && x <= self.length() + near) {
             return Err(NotProven::new("a listed position is outside the beam").at(x));
@@ -196,7 +199,7 @@ impl<S: Scalar> Comparison<'_, S> {
 
     /// Returns the absolute difference between `listed` and the value of a field at the coordinate t of a piece, in the
     /// units of the model.
-    fn difference(&self, field: usize, listed: f64, (piece, t): (usize, S)) -> f64 {
+    pub fn difference(&self, field: usize, listed: f64, (piece, t): (usize, S)) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let off = units.scaled(S::of(listed), force, length) - self.patches.value(field, piece, t);
         units.restored(off.size(), force, length)
@@ -283,7 +286,7 @@ impl<S: Scalar> Comparison<'_, S> {
 
     /// Returns the difference between `listed` and the value of a field at a position. At a node, the side with the smaller
     /// difference counts.
-    fn nearest_difference(&self, field: usize, x: f64, listed: f64) -> Result<f64, NotProven> {
+    pub fn nearest_difference(&self, field: usize, x: f64, listed: f64) -> Result<f64, NotProven> {
         let (i, t) = self.place(x)?;
         let here = self.difference(field, listed, (i, t));
         if i == 0 || t != self.fields.frame.spans[i].t[0] {
@@ -294,60 +297,9 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(if on_left < here { on_left } else { here })
     }
 
-    /// Compares the largest gap that is listed for a lifted-off stretch with the claimed gap. The stretch must end at
-    /// listed contact edges or at ends of the beam.
-    fn lift_off(
-        &self,
-        [from, to, x, value]: &[f64; 4],
-        found: &mut Differences,
-    ) -> Result<(), NotProven> {
-        let pieces = &self.document.answer.pieces;
-        let edges = self.document.contact.iter().flatten().flatten();
-        let ends: Vec<f64> = edges.copied().chain([0.0, self.length()]).collect();
-        if !(ends.contains(from) && ends.contains(to) && from <= x && x <= to) {
-            return Err(NotProven::new(
-                "a stretch that is listed as out of contact does not end at a listed edge",
-            )
-            .at(*from));
-        }
-        let near = NEAR * self.length();
-        let first = pieces.partition_point(|piece| piece.x[1] <= from + near);
-        let range = first..pieces.partition_point(|piece| piece.x[0] < to - near).max(first);
-        let touches = pieces[range.clone()].iter().any(|piece| piece.touches)
-            || (range.start + 1..range.end).any(|node| self.fields.surface.touches[node]);
-        if range.is_empty() || touches || ends.iter().any(|edge| from < edge && edge < to) {
-            return Err(NotProven::new("a stretch that is listed as out of contact is in contact")
-                .at(*from));
-        }
-        let largest = Extreme { field: "gap".to_owned(), is_max: true, x: *x, value: *value };
-        let off = self.nearest_difference(GAP, *x, *value)?;
-        enlarge(&mut found.fields[GAP], off);
-        enlarge(&mut found.fields[GAP], self.beyond(GAP, &largest, range));
-        found.checked.values += 1;
-        Ok(())
-    }
-
-    /// Compares the listed rotation and moment of a hinge with the computed values.
-    fn hinge(
-        &self,
-        [at, rotation, moment]: &[f64; 3],
-        found: &mut Differences,
-    ) -> Result<(), NotProven> {
-        let (i, t) = self.place(*at)?;
-        let spans = &self.fields.frame.spans;
-        if i == 0 || t != spans[i].t[0] {
-            return Err(NotProven::new("a listed hinge is not at an end of a piece").at(*at));
-        }
-        let value = |field: usize, i: usize, t: S| self.patches.value(field, i, t);
-        let turned = value(ROTATION, i, t) - value(ROTATION, i - 1, spans[i - 1].t[1]);
-        enlarge(&mut found.fields[ROTATION], (S::of(*rotation) - turned).size());
-        enlarge(&mut found.fields[MOMENT], self.difference(MOMENT, *moment, (i, t)));
-        Ok(())
-    }
-
     /// Returns the largest amount by which a field lies beyond its listed extreme on the given pieces: above a listed
     /// maximum, or below a listed minimum.
-    fn beyond(&self, field: usize, extreme: &Extreme, pieces: Range<usize>) -> f64 {
+    pub fn beyond(&self, field: usize, extreme: &Extreme, pieces: Range<usize>) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let listed = units.scaled(S::of(extreme.value), force, length);
         let negligible = Size::of(f64::EPSILON * listed.size());
@@ -376,48 +328,11 @@ impl<S: Scalar> Comparison<'_, S> {
             }
         }
     }
-
-    /// Refuses two listed forces at one position. A reader of the document would add the forces, but the proof compares each
-    /// force with the exact force.
-    fn forces_at_one_place(&self) -> Option<NotProven> {
-        let mut places: Vec<f64> = self.document.answer.forces.iter().map(|f| f.x).collect();
-        places.sort_by(f64::total_cmp);
-        let near = NEAR * self.length();
-        let pair = places.windows(2).find(|pair| pair[1] - pair[0] <= near)?;
-        Some(NotProven::new("two concentrated forces are listed at one position").at(pair[0]))
-    }
-
-    /// Compares listed concentrated forces with the exact forces. A force that is not listed counts as zero.
-    fn forces(&self, contact: &ContactSet, found: &mut ListedErrors) {
-        let (near, length) = (NEAR * self.length(), self.length());
-        let error = |x: f64, force: f64| {
-            let exact = contact.forces.iter().find(|exact| (exact.x - x).abs() <= near);
-            farthest(force, exact.map_or([0.0; 2], |exact| exact.force))
-        };
-        let listed = &self.document.answer.forces;
-        found.forces = listed.iter().map(|force| error(force.x, force.force)).collect();
-        let ends = self.document.end_forces;
-        found.end_forces = ends.map(|[left, right]| [error(0.0, left), error(length, right)]);
-        let mut places: Vec<f64> = listed.iter().map(|force| force.x).collect();
-        places.extend(ends.iter().flat_map(|_| [0.0, length]));
-        let unlisted = contact
-            .forces
-            .iter()
-            .filter(|exact| !places.iter().any(|x| (exact.x - x).abs() <= near));
-        let errors: Vec<f64> = unlisted.map(|exact| farthest(0.0, exact.force)).collect();
-        found.unlisted = largest(errors.iter());
-    }
 }
 
 /// Replaces `most` by `value` if `value` is larger. NaN counts as infinite.
-fn enlarge(most: &mut f64, value: f64) {
+pub(crate) fn enlarge(most: &mut f64, value: f64) {
     *most = Size::of(*most).worst(Size::of(value)).value();
-}
-
-/// Returns the largest distance of a number from the numbers in an interval, rounded up.
-fn farthest(x: f64, [low, high]: [f64; 2]) -> f64 {
-    let [below, above] = [x - low, high - x].map(|d| if d == 0.0 { 0.0 } else { d.next_up() });
-    Size::of(if below >= above { below } else { above }).value()
 }
 
 /// Returns the largest distances of both ends of each listed contact region from the exact ends.

@@ -14,33 +14,40 @@ impl<S: Scalar> Contact<'_, S> {
     /// Whether it is proven for the whole piece that the exact deflection equals the settlement of a clamp, and that
     /// the beam touches the ground there without pressure.
     pub(crate) fn rests(&self, piece: usize) -> bool {
+        self.resting_part(piece).is_some()
+    }
+
+    /// Returns the first and the last node of the resting part that contains a piece.
+    fn resting_part(&self, piece: usize) -> Option<[usize; 2]> {
         let frame = self.fields.frame;
         let last = frame.spans.len();
         let parts = |node: &usize| *node == 0 || *node == last || frame.nodes[*node].clamped;
-        let Some(from) = (0..=piece).rev().find(parts) else { return false };
-        let Some(to) = (piece + 1..=last).find(parts) else { return false };
-        let clamped = [from, to].into_iter().find(|node| frame.nodes[*node].clamped);
-        let Some(height) = clamped.and_then(|node| frame.nodes[node].rigid) else { return false };
-        (from..to).all(|i| is_bare(frame, i, height))
+        let from = (0..=piece).rev().find(parts)?;
+        let to = (piece + 1..=last).find(parts)?;
+        let clamp = [from, to].into_iter().find(|node| frame.nodes[*node].clamped)?;
+        let height = frame.nodes[clamp].rigid?;
+        let rests = (from..to).all(|i| is_bare(frame, i, height))
             && [from, to].into_iter().all(|node| ends(&frame.nodes[node], height))
-            && (from + 1..to).all(|node| is_free(&frame.nodes[node]))
+            && (from + 1..to).all(|node| is_free(&frame.nodes[node]));
+        rests.then_some([from, to])
     }
 
     /// Returns the first piece with a wrong claim of contact on a part that rests on Winkler ground. Pieces with a load
-    /// on the ground must be open, and the other pieces of the part all in contact or all open.
+    /// on the ground must be open, and the other pieces of the part all in contact or all open. They must be open if the
+    /// part crosses a shear layer, where it is open.
     pub(crate) fn divided_rest(&self, first: usize, end: usize) -> Option<usize> {
         let frame = self.fields.frame;
         // Whether the last unloaded ground piece of the part is claimed to be in contact.
         let mut listed = None;
         (first..end).find(|i| {
             let span = &frame.spans[*i];
-            if !self.rests(*i) || frame.nodes[*i].clamped {
+            let part = self.resting_part(*i);
+            if part.is_none() || frame.nodes[*i].clamped {
                 listed = None;
             }
-            if !self.rests(*i) {
-                return false;
-            }
-            match span.ground_load.is_none() {
+            let Some([from, to]) = part else { return false };
+            let crosses_layer = frame.spans[from..to].iter().any(|span| span.layered);
+            match span.ground_load.is_none() && !crosses_layer {
                 true => listed.replace(span.touches).is_some_and(|before| before != span.touches),
                 false => span.touches,
             }
@@ -135,10 +142,14 @@ mod tests {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 0.25\n\
                      [[support]]\nat = 0.5\ntype = 'fixed'\nsettlement = 0.25\n";
         let load = "[[ground_load]]\ndistributed = 1\nfrom = 0.75\nto = 1\n";
+        // The last two pieces belong to the part from the clamp to the end, which crosses a shear layer.
+        let layer = "[[foundation.segment]]\nfrom = 0.75\nto = 1\nk = 1\nmu = 1\n";
         for touches in 0..16 {
             let touches = [0, 1, 2, 3].map(|i| touches >> i & 1 == 1);
             let [a, b, c, d] = touches;
-            for (added, accepted) in [("", a == b && c == d), (load, a == b && !d)] {
+            for (added, end, accepted) in
+                [("", 4, a == b && c == d), (load, 4, a == b && !d), (layer, 3, a == b && !c)]
+            {
                 let piece = |i: usize| {
                     let from = 0.25 * i as f64;
                     json!({"x": [from, from + 0.25], "half": 0.125, "touches": touches[i], "deflection": [0.25]})
@@ -148,7 +159,7 @@ mod tests {
                 with_fields(&(model.to_owned() + added), &document, |fields| {
                     let bounds = [PieceBounds::EXACT; 4];
                     let mut shown = Shown::nothing(5);
-                    let found = Contact { fields, bounds: &bounds }.springs(0, 4, &mut shown);
+                    let found = Contact { fields, bounds: &bounds }.springs(0, end, &mut shown);
                     assert_eq!(found.is_ok(), accepted, "{added}{touches:?}");
                 });
             }

@@ -6,7 +6,7 @@ use crate::extremes::PlacedExtreme;
 use crate::fields::Fields;
 use crate::listed::{Checked, Differences, ListedErrors, differences, holds};
 use crate::log::Log;
-use crate::model::Model;
+use crate::model::{Acts, Model};
 use crate::patches::{FIELDS, GAP};
 use crate::proof::{Proof, proven};
 use crate::refusal::NotProven;
@@ -105,7 +105,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
         .or(far)
         .or(claimed)
         .or_else(|| verification.claimed_places(document))
-        .or_else(|| verification.verdict(document));
+        .or_else(|| verification.verdict(document, fields))
+        .or_else(|| verification.state(document, fields));
     verification
 }
 
@@ -202,16 +203,39 @@ impl Verification {
         first
     }
 
-    /// Reports a listed verdict that contradicts the proof: no equilibrium, or several equilibria if it is unique.
-    fn verdict(&self, document: &Document) -> Option<NotProven> {
+    /// Reports a listed verdict that contradicts the proof: no equilibrium, several equilibria if it is unique, or a local
+    /// equilibrium without compression.
+    fn verdict<S: Scalar>(&self, document: &Document, fields: &Fields<S>) -> Option<NotProven> {
         let verdict = document.verdict.as_deref()?;
         let contradicts = match verdict {
-            "unique" | "local" => false,
+            "unique" => false,
+            "local" => fields.frame.compression.is_none(),
             "not-unique" => self.proof.unique.is_ok(),
             _ => true,
         };
         let what = || NotProven::new(format!("the listed verdict `{verdict}` is wrong"));
         contradicts.then(what)
+    }
+
+    /// Reports the first one-way support whose listed state is not proven. It is acting if its reaction exceeds the error
+    /// bound, and otherwise lifted or, if it only pulls, slack.
+    fn state<S: Scalar>(&self, document: &Document, fields: &Fields<S>) -> Option<NotProven> {
+        let wrong = |(support, state): &&(usize, String)| {
+            let reactions = &document.answer.reactions;
+            let claimed = reactions.iter().find(|reaction| reaction.support == *support);
+            let force = claimed.map_or(0.0, |reaction| reaction.force.abs());
+            let error = self.proof.reactions.get(*support).map_or(f64::INFINITY, |r| r.force.error);
+            let acts = fields.frame.supports.get(*support).map(|held| held.acts);
+            match (state.as_str(), acts) {
+                ("acting", Some(Acts::Up | Acts::Down)) => !(force > error),
+                ("lifted", Some(Acts::Up)) | ("slack", Some(Acts::Down)) => force != 0.0,
+                _ => true,
+            }
+        };
+        let (support, state) = document.states.iter().find(wrong)?;
+        Some(NotProven::new(format!(
+            "the listed state `{state}` of support {support} is not proven"
+        )))
     }
 
     /// Reports the first extreme whose claimed intervals do not contain all proven positions.

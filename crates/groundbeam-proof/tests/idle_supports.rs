@@ -42,6 +42,28 @@ fn a_support_without_a_reaction_must_be_clear_of_the_beam() {
     }
 }
 
+#[test]
+fn the_listed_state_of_a_one_way_support_is_proven() {
+    let model = format!(
+        "{BEAM}[[load]]\npoint = 6\nat = 1\n\
+         [[support]]\nat = 0.5\nspring = 1\nacts = 'up'\nsettlement = 0.6885\n"
+    );
+    for (state, force, proven) in [
+        ("lifted", 0.0, true),
+        ("slack", 0.0, false),
+        ("acting", 0.0, false),
+        ("acting", 1e-30, false),
+        ("lifted", 1e-30, false),
+    ] {
+        let mut document = symmetric([0.6875, 0.5625, -0.1875, -0.0625], 3.0);
+        let reaction = json!({"force": force, "state": state});
+        document["reactions"].as_array_mut().expect("reactions").push(reaction);
+        let is_proven =
+            verified(&model, &document.to_string()).is_ok_and(|found| found.shortfall.is_none());
+        assert_eq!(is_proven, proven, "{state} {force}");
+    }
+}
+
 /// Under end moments 2 and with a hinge k_φ = 4 at the middle, w = 9x/4 − x² on the left half. The slope has two values at the
 /// hinge, so only a pin may stand there.
 #[test]

@@ -194,18 +194,29 @@ fn a_stretch_whose_ends_are_moved_by_rounding_errors_covers_the_same_pieces() {
 }
 
 #[test]
-fn a_listed_verdict_and_the_states_of_supports_agree_with_the_solution() {
+fn a_listed_verdict_agrees_with_the_proof() {
     let ridges = OnRidges::new(8.0);
-    for (verdict, wrong) in [("unique", false), ("not-unique", true), ("none", true)] {
+    for (verdict, wrong) in
+        [("unique", false), ("not-unique", true), ("local", true), ("none", true)]
+    {
         let mut document = ridges.document();
         document["existence"] = json!({"verdict": verdict});
         assert_eq!(ridges.verified(&document).shortfall.is_some(), wrong, "{verdict}");
     }
-    for (state, force, agrees) in
-        [("acting", 1, true), ("acting", 0, false), ("lifted", 1, false), ("lifted", 0, true)]
-    {
-        let reactions = json!([{"force": force, "moment": 0, "state": state}]);
-        let read = Document::read(&json!({"reactions": reactions}).to_string());
-        assert_eq!(read.is_ok(), agrees, "{state} {force}");
-    }
+    let text = json!({"combinations": [], "existence": {"verdict": "none"}}).to_string();
+    assert!(Document::read(&text).is_err());
+}
+
+#[test]
+fn stretches_do_not_overlap_and_hinges_are_those_of_the_model() {
+    let ridges = OnRidges::new(8.0);
+    let mut document = ridges.document();
+    let first = document["lift_off"][0].clone();
+    document["lift_off"] = json!([first, first]);
+    let why = ridges.verified(&document).shortfall.expect("two equal stretches").what;
+    assert!(why.contains("overlap"), "{why}");
+    let mut document = ridges.document();
+    document["hinges"] = json!([{"at": 2, "rotation": 0, "moment": 0}]);
+    let why = ridges.verified(&document).shortfall.expect("no hinge").what;
+    assert!(why.contains("not a hinge of the model"), "{why}");
 }
