@@ -1,6 +1,6 @@
 //! Compares the values that a result document lists with the fields of the claimed solution in the same document.
 
-use crate::contact_set::{Contact, ContactSet};
+use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme, Stations};
 use crate::extremes::{PlacedExtreme, placed};
 use crate::fields::Fields;
@@ -155,10 +155,15 @@ fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2
     }
     let Ok(contact) = &proof.contact else { return vec![[0.0, length]] };
     let near = NEAR * length;
+    // At an end of the beam, contact is certain if the layer ends before it or exerts a force there.
+    let layered = [0, frame.spans.len() - 1].map(|i| frame.spans[i].layered);
+    let pressed =
+        |x: f64| contact.forces.iter().any(|f| (f.x - x).abs() <= near && f.force[0] > 0.0);
+    let certain = [!layered[0] || pressed(0.0), !layered[1] || pressed(length)];
     let edges = contact.regions.iter().flat_map(|region| [region.from, region.to]);
-    // At an end of the beam whose contact is certain, the interval of the edge is that of the node.
-    let [end, _] = Contact { fields, bounds: &[] }.interval(frame.spans.len(), [Size::ZERO; 2]);
-    let inside = edges.filter(|[low, high]| 0.0 < *high && *low < end);
+    let inside = edges.filter(|[low, high]| {
+        !(certain[0] && *high <= near) && !(certain[1] && length - near <= *low)
+    });
     inside.map(|[low, high]| [low - near, high + near]).collect()
 }
 
