@@ -4,7 +4,6 @@ use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme, Stations};
 use crate::extremes::{PlacedExtreme, placed};
 use crate::fields::Fields;
-use crate::listed_objects::farthest;
 use crate::patches::{FIELDS, PRESSURE, Patches, field_named};
 use crate::polynomial::{Budget, Line, Polynomial, below};
 use crate::proof::Proof;
@@ -338,6 +337,12 @@ impl<S: Scalar> Comparison<'_, S> {
 /// Replaces `most` by `value` if `value` is larger. NaN counts as infinite.
 pub(crate) fn enlarge(most: &mut f64, value: f64) {
     *most = Size::of(*most).worst(Size::of(value)).value();
+}
+
+/// Returns the largest distance of a number from the numbers in an interval, rounded up.
+pub(crate) fn farthest(x: f64, [low, high]: [f64; 2]) -> f64 {
+    let [below, above] = [x - low, high - x].map(|d| if d == 0.0 { 0.0 } else { d.next_up() });
+    Size::of(if below >= above { below } else { above }).value()
 }
 
 /// Returns the largest distances of both ends of each listed contact region from the exact ends.

@@ -2,11 +2,10 @@
 
 use crate::contact_set::ContactSet;
 use crate::document::Extreme;
-use crate::listed::{Comparison, Differences, ListedErrors, NEAR, enlarge, largest};
+use crate::listed::{Comparison, Differences, ListedErrors, NEAR, enlarge, farthest, largest};
 use crate::patches::{GAP, MOMENT, ROTATION};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
-use crate::size::Size;
 
 impl<S: Scalar> Comparison<'_, S> {
     /// Compares the largest gap that is listed for a lifted-off stretch with the claimed gap. The stretch must end at
@@ -105,10 +104,4 @@ impl<S: Scalar> Comparison<'_, S> {
         let errors: Vec<f64> = unlisted.map(|exact| farthest(0.0, exact.force)).collect();
         found.unlisted = largest(errors.iter());
     }
-}
-
-/// Returns the largest distance of a number from the numbers in an interval, rounded up.
-pub(crate) fn farthest(x: f64, [low, high]: [f64; 2]) -> f64 {
-    let [below, above] = [x - low, high - x].map(|d| if d == 0.0 { 0.0 } else { d.next_up() });
-    Size::of(if below >= above { below } else { above }).value()
 }
