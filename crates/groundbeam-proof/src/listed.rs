@@ -161,7 +161,7 @@ fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2
     let certain = [!layered[0] || pressed(0.0), !layered[1] || pressed(length)];
     let edges = contact.regions.iter().flat_map(|region| [region.from, region.to]);
     let inside = edges.filter(|[low, high]| {
-        !(certain[0] && *high <= near) && !(certain[1] && length - near <= *low)
+        !(certain[0] && *high <= near || certain[1] && length - near <= *low)
     });
     inside.map(|[low, high]| [low - near, high + near]).collect()
 }
