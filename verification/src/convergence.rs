@@ -1,9 +1,7 @@
 //! Measures the errors of the active-set method for several numbers of elements, and the orders of convergence.
 
-use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, solution::Side,
-    solve, solve_with,
-};
+use crate::solved::{solved, solved_by};
+use groundbeam::{Beam, Field, Foundation, Load, Method, Model, Options, Solution, solution::Side};
 
 /// Numbers of elements of the compared meshes.
 pub const ELEMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
@@ -74,11 +72,11 @@ pub type Errors = [f64; ELEMENTS.len()];
 
 /// Returns the errors of a quantity against the exact method, for each number of elements.
 pub fn errors(model: &Model, quantity: Quantity) -> Errors {
-    let exact = equilibrium(solve(model));
+    let exact = solved(model);
     ELEMENTS.map(|elements| {
         let method = Method::ActiveSet;
         let options = Options { method, elements, ..Options::default() };
-        let found = equilibrium(solve_with(model, &options));
+        let found = solved_by(model, &options);
         error(&exact, &found, elements, quantity)
     })
 }
@@ -101,13 +99,6 @@ pub fn order(errors: &Errors, floor: f64) -> Option<f64> {
     let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
     let variance: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
     Some(-covariance / variance)
-}
-
-fn equilibrium(outcome: Result<Outcome, groundbeam::Error>) -> Solution {
-    match outcome {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("no equilibrium: {other:?}"),
-    }
 }
 
 fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity) -> f64 {

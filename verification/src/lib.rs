@@ -21,5 +21,6 @@ pub mod public_api;
 pub mod random;
 pub mod reference;
 pub mod second;
+pub mod solved;
 pub mod troughs;
 pub mod upheaval;

@@ -2,15 +2,9 @@
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,
-    load_factors, model::Profile, solution::Side, solve, solve_with,
+    load_factors, model::Profile, solution::Side, solve_with,
 };
-
-fn solved(model: &Model) -> Solution {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}"),
-    }
-}
+use groundbeam_verification::solved::solved;
 
 #[track_caller]
 fn close(a: f64, b: f64, tolerance: f64) {

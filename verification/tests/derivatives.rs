@@ -6,19 +6,12 @@ use groundbeam::derivatives::{
     Domain, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{
-    Field, Load, Model, Options, Outcome, Solution, model::Action, solution::Side, solve,
-    solve_near,
+    Field, Load, Model, Options, Outcome, Solution, model::Action, solution::Side, solve_near,
 };
 use groundbeam_verification::random::{Family, model};
+use groundbeam_verification::solved::solved;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-
-fn solved(model: &Model) -> Solution {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}: {model:?}"),
-    }
-}
 
 /// Every number of a model.
 fn parameters(model: &Model) -> Vec<Parameter> {

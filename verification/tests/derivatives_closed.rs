@@ -7,17 +7,11 @@ use groundbeam::derivatives::{
 };
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,
-    model::Action, solution::Side, solve, solve_with,
+    model::Action, solution::Side, solve_with,
 };
 use groundbeam_verification::random::{Family, model};
+use groundbeam_verification::solved::solved;
 use serde::Deserialize;
-
-fn solved(model: &Model) -> Solution {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}: {model:?}"),
-    }
-}
 
 fn derivatives(solution: &Solution, output: Output, by: &[Parameter]) -> Vec<f64> {
     let gradient = solution.gradients(&[output], by).expect("derivatives").remove(0);

@@ -8,19 +8,9 @@ use groundbeam::{
 };
 use groundbeam_verification::dense::Dense;
 use groundbeam_verification::random::{Family, model};
+use groundbeam_verification::solved::{solved, solved_by};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-
-fn solved_by(model: &Model, options: &Options) -> Solution {
-    match solve_with(model, options) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}: {model:?}"),
-    }
-}
-
-fn solved(model: &Model) -> Solution {
-    solved_by(model, &Options::default())
-}
 
 /// A beam with loads and one or two hinges at the nodes of a uniform mesh.
 fn hinged(rng: &mut ChaCha8Rng, elements: usize) -> Model {

@@ -3,10 +3,9 @@
 //!
 //! Claims: `docs/ground.md`.
 
-use groundbeam::{
-    Beam, Field, Foundation, Load, Model, Outcome, Solution, model::GroundEnd, solve,
-};
+use groundbeam::{Beam, Field, Foundation, Load, Model, model::GroundEnd};
 use groundbeam_verification::proven::proven_bounds;
+use groundbeam_verification::solved::solved;
 
 const SPRING: f64 = 9.0;
 const SHEAR: f64 = 4.0;
@@ -15,13 +14,6 @@ fn footing() -> Model {
     Model::new(Beam::uniform(10.0, 40.0), Foundation::pasternak(SPRING, SHEAR))
         .with_load(Load::uniform_force(0.0, 10.0, 9.0))
         .with_load(Load::point_force(2.0, 5.0))
-}
-
-fn solved(model: &Model) -> Solution {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}"),
-    }
 }
 
 /// (2.4): the settlement of infinite ground under a unit force.

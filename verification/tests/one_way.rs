@@ -7,13 +7,7 @@ use groundbeam::{
     Verdict, exists, model::Acts, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::random::{Family, model};
-
-fn solved(model: &Model) -> Solution {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}: {model:?}"),
-    }
-}
+use groundbeam_verification::solved::solved;
 
 /// The clearance between the beam and a support that pushes up, or holds down; negative beyond it.
 fn clearance(solution: &Solution, support: &Support) -> f64 {

@@ -3,22 +3,16 @@
 //! Claims: `docs/shear.md`.
 
 use groundbeam::{
-    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
-    Support, load_factors, load_factors::FirstLiftOff, model::Profile, own_buckling_load,
-    solution::Side, solve, solve_with,
+    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Solution, Support,
+    load_factors, load_factors::FirstLiftOff, model::Profile, own_buckling_load, solution::Side,
+    solve_with,
 };
 use groundbeam_verification::linear::Linear;
 use groundbeam_verification::random::{Family, model};
+use groundbeam_verification::solved::solved;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::PI;
-
-fn solved(model: &Model) -> Solution {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        other => panic!("{other:?}: {model:?}"),
-    }
-}
 
 fn largest(solution: &Solution, field: Field) -> f64 {
     let range = solution.range(field);
