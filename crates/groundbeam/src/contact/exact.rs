@@ -51,33 +51,20 @@ fn from_guesses(
     cancel: &Cancel,
     judge: Judge,
 ) -> Result<ContactState, Unconverged> {
+    let bonded = &mut Bonded::new(model, cancel);
     if let Some(likely) = likely {
         let contact = on_the_beam(likely, model.beam.length);
         let start = Start { contact, now: None, near: true };
-        if let Ok(found) = edges(&mut Bonded::new(model, cancel), start, FEW_STEPS, judge) {
+        if let Ok(found) = edges(bonded, start, FEW_STEPS, judge) {
             return Ok(found);
         }
     }
-    if let Some(found) = from_start(model, cancel, judge) {
+    let nearly = with_free_field_as_gap(model);
+    if let Some(contact) = start::edges(&nearly, cancel)
+        && let Ok(found) = edges(bonded, Start::on(contact), FEW_STEPS, judge)
+    {
         return Ok(found);
     }
-    from_continuation(model, cancel, judge)
-}
-
-/// Solves the contact problem from the whole length of a short beam, or from the active nodes of a long one.
-fn from_start(model: &Model, cancel: &Cancel, judge: Judge) -> Option<ContactState> {
-    let contact = start::edges(&with_free_field_as_gap(model), cancel)?;
-    edges(&mut Bonded::new(model, cancel), Start::on(contact), FEW_STEPS, judge).ok()
-}
-
-/// Solves the contact problem from the contact of a stiffer beam, at each level of the continuation.
-fn from_continuation(
-    model: &Model,
-    cancel: &Cancel,
-    judge: Judge,
-) -> Result<ContactState, Unconverged> {
-    let bonded = &mut Bonded::new(model, cancel);
-    let nearly = with_free_field_as_gap(model);
     let mut last = Unconverged::SINGULAR;
     let mut iterations = 0;
     for level in 0..LEVELS {

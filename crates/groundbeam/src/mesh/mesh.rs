@@ -378,7 +378,7 @@ fn add_distributed(cell: &mut Cell, load: &Load) {
 }
 
 /// Initial gap g₀(x). It is linear between its corners, and constant before the first and after the last corner.
-pub(crate) fn initial_gap(model: &Model, x: f64) -> f64 {
+fn initial_gap(model: &Model, x: f64) -> f64 {
     let corners = &model.gap;
     let right = corners.partition_point(|corner| corner.at < x);
     match (right.checked_sub(1).map(|i| corners[i]), corners.get(right)) {

@@ -165,8 +165,7 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     Answer { pieces, forces, reactions: reactions.collect() }
 }
 
-/// Whether a double lies strictly between the ends of a piece. There is none if a contact edge and the end of a cell
-/// are neighbouring doubles.
+/// Whether a double lies strictly between the ends of a piece. A piece between two adjacent doubles has no such double.
 fn has_inside([from, to]: [f64; 2]) -> bool {
     let middle = 0.5 * (from + to);
     from < middle && middle < to
