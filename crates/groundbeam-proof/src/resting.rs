@@ -36,22 +36,23 @@ impl<S: Scalar> Contact<'_, S> {
     /// on the ground must be open, and the other pieces of the part all in contact or all open. They must be open if the
     /// part crosses a shear layer, where it is open.
     pub(crate) fn divided_rest(&self, first: usize, end: usize) -> Option<usize> {
-        let frame = self.fields.frame;
-        // Whether the last unloaded ground piece of the part is claimed to be in contact.
-        let mut listed = None;
-        (first..end).find(|i| {
-            let span = &frame.spans[*i];
-            let part = self.resting_part(*i);
-            if part.is_none() || frame.nodes[*i].clamped {
-                listed = None;
+        let spans = &self.fields.frame.spans;
+        let mut next = first;
+        while next < end {
+            let Some([from, to]) = self.resting_part(next) else {
+                next += 1;
+                continue;
+            };
+            let mut part = next..to.min(end);
+            next = part.end;
+            let crosses_layer = spans[from..to].iter().any(|span| span.layered);
+            let bears = |i: &usize| !crosses_layer && spans[*i].ground_load.is_none();
+            let listed = part.clone().find(bears).is_some_and(|i| spans[i].touches);
+            if let Some(wrong) = part.find(|i| spans[*i].touches != (listed && bears(i))) {
+                return Some(wrong);
             }
-            let Some([from, to]) = part else { return false };
-            let crosses_layer = frame.spans[from..to].iter().any(|span| span.layered);
-            match span.ground_load.is_none() && !crosses_layer {
-                true => listed.replace(span.touches).is_some_and(|before| before != span.touches),
-                false => span.touches,
-            }
-        })
+        }
+        None
     }
 }
 

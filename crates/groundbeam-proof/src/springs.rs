@@ -44,7 +44,7 @@ impl<S: Scalar> Contact<'_, S> {
                 let stands = self.stands(i, side) && spans[i].ground_load.is_none();
                 // At a jump of the initial gap or of a load on the ground, the clearance may change its sign without
                 // a zero.
-                let steps = self.is_clear_at(i, side);
+                let steps = self.is_clear_at(i, side, &field);
                 if (!edges[side] || steps) && !stands {
                     continue;
                 }
@@ -111,14 +111,14 @@ impl<S: Scalar> Contact<'_, S> {
         });
         let [touching, open] = if spans[0].touches { [left, right] } else { [right, left] };
         let sinks = (open - touching).low() >= 0.0;
-        let is_clear = |side: usize| self.is_clear_at(node - 1 + side, 1 - side);
-        !sinks && !is_clear(0) && !is_clear(1)
+        let is_clear = |i: usize| self.is_clear_at(i, node - i, &self.signed(i));
+        !sinks && !is_clear(node - 1) && !is_clear(node)
     }
 
-    /// Whether the claimed sign of w − g₀ − q/k is proven at an end of a piece.
-    fn is_clear_at(&self, i: usize, side: usize) -> bool {
+    /// Whether the claimed sign of w − g₀ − q/k is proven at an end of a piece. `signed` is [`Self::signed`] of the piece.
+    fn is_clear_at(&self, i: usize, side: usize, signed: &Polynomial<S::Coarse>) -> bool {
         let end = S::Coarse::of(self.fields.frame.spans[i].interval()[side]);
-        self.signed(i).value(end).low() > more(self.bounds[i].deflection).value()
+        signed.value(end).low() > more(self.bounds[i].deflection).value()
     }
 
     /// Returns w − g₀ − q/k on a piece in contact and its negative on an open piece, with the initial gap g₀ and the
