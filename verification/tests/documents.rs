@@ -15,12 +15,9 @@ fn the_notation_contains_the_statement_of_the_problem() {
 fn named(feature: Feature) -> &'static str {
     match feature {
         Feature::LocalEquilibrium => "compression beyond the beam's own buckling load",
-        Feature::NoShearLayer => "μ = 0 somewhere under the beam",
-        Feature::BeamShear => "a beam with shear deformation",
-        Feature::GroundLoads => "loads on the ground",
-        Feature::Supports => "supports, also those that act in one direction",
+        Feature::OneWaySupports => "supports that act in one direction",
         Feature::Hinges => "hinges",
-        Feature::Varying => "EI, k or μ that varies along a segment",
+        Feature::IteratedGround => "k and μ that depend on the solution (modified Vlasov model)",
     }
 }
 

@@ -3,9 +3,8 @@
 //! Claims: `docs/shear.md`.
 
 use groundbeam::{
-    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Solution, Support,
-    load_factors, load_factors::FirstLiftOff, model::Profile, own_buckling_load, solution::Side,
-    solve_with,
+    Beam, Field, Foundation, Hinge, Load, Model, Solution, Support, load_factors,
+    load_factors::FirstLiftOff, model::Profile, own_buckling_load, solution::Side,
 };
 use groundbeam_verification::linear::Linear;
 use groundbeam_verification::random::{Family, model};
@@ -214,9 +213,9 @@ fn a_kink_has_a_concentrated_contact_force_or_opens() {
     assert!(held.lift_off().iter().any(|span| span.from < 1.5 && span.to > 1.5));
 }
 
-/// The bonded beam gives the first lift-off; methods with a mesh refuse the model.
+/// The bonded beam gives the first lift-off.
 #[test]
-fn beams_with_shear_have_load_factors_and_are_refused_by_psor_and_uzawa() {
+fn beams_with_shear_have_load_factors() {
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(2.0);
     let base = Model::new(beam, Foundation::pasternak(1.0, 0.3))
         .with_load(Load::uniform_force(0.0, 4.0, 1.0));
@@ -233,11 +232,6 @@ fn beams_with_shear_have_load_factors_and_are_refused_by_psor_and_uzawa() {
         solved(&model).lift_off().len()
     };
     assert_eq!((at(factor * 0.999), at(factor * 1.001)), (0, 1));
-    for method in [Method::Psor, Method::Uzawa] {
-        let options = Options { method, ..Options::default() };
-        let Err(Error::Unsupported(problem)) = solve_with(&pushed, &options) else { panic!() };
-        assert_eq!(problem.code, "GB614");
-    }
 }
 
 /// An elastic hinge equals a short soft stretch of the beam without shear deformation.

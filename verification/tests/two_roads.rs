@@ -109,6 +109,40 @@ fn the_active_set_agrees_with_the_iteration_of_the_paper() {
     }
 }
 
+/// The iteration of the paper also solves beams with shear deformation, Winkler ground and loads on the ground.
+#[test]
+fn the_iteration_of_the_paper_has_the_features_of_the_active_set() {
+    let beam = Beam::uniform(4.0, 1.0);
+    let ground = Foundation::pasternak(1.0, 0.3);
+    let loaded = |beam: &Beam, ground: &Foundation| {
+        Model::new(beam.clone(), ground.clone())
+            .with_load(Load::uniform_force(0.0, 4.0, 0.1))
+            .with_load(Load::point_force(1.0, 1.0))
+            .with_load(Load::point_moment(3.0, 0.5))
+            .with_gap(0.0, 0.01)
+            .with_gap(4.0, 0.05)
+    };
+    let models = [
+        loaded(&beam.clone().with_shear_stiffness(2.0), &ground),
+        loaded(&beam, &Foundation::winkler(1.0)),
+        loaded(&beam, &ground.clone().with_segment(1.0, 2.0, 3.0, 0.0)),
+        loaded(&beam, &ground).with_load(Load::distributed_ground_force(2.0, 5.0, 0.4, 0.1)),
+    ];
+    for (number, model) in models.iter().enumerate() {
+        let expected = solved(model, Method::ActiveSet, 12);
+        for method in [Method::Uzawa, Method::Psor] {
+            let found = solved(model, method, 12);
+            for field in [Field::Deflection, Field::Rotation, Field::Settlement] {
+                for i in 0..=12 {
+                    let x = f64::from(i) / 3.0;
+                    let [a, b] = [&found, &expected].map(|solution| solution.value(field, x));
+                    assert!((a - b).abs() < 1e-8, "{number} {method:?} {field:?} {x}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn the_active_set_agrees_with_an_interior_point_solver() {
     let mut rng = ChaCha8Rng::seed_from_u64(11);

@@ -2,10 +2,9 @@
 //!
 //! Claims: `docs/methods.md`.
 
-use groundbeam::model::Part;
 use groundbeam::{
-    Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
-    Outcome, Solution, model::Profile, own_buckling_load, solution::Side, solve, solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, model::Profile,
+    own_buckling_load, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::proven::proven_bounds;
 
@@ -219,12 +218,4 @@ fn fields_satisfy_their_differential_relations() {
     let b = (spring().end() / shear().end()).sqrt();
     let ratio = solution.settlement(4.7) / solution.settlement(4.0);
     assert!((ratio - (-0.7 * b).exp()).abs() < 1e-15);
-}
-
-#[test]
-fn the_nodal_solver_refuses_varying_stiffness() {
-    let refused =
-        NodalSolver::new().solve_into(&smooth(shear()), 100, &mut NodalSolution::default());
-    let Err(Error::Unsupported(problem)) = refused else { panic!("{refused:?}") };
-    assert_eq!((problem.code, problem.part), ("GB605", Part::BeamSegment(0)));
 }

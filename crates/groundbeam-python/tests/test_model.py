@@ -262,12 +262,12 @@ def test_a_beam_that_tips_has_no_equilibrium() -> None:
 
 
 def test_a_model_that_the_method_does_not_support_is_refused() -> None:
-    winkler = gb.Model(
+    hinged = gb.Model(
         gb.Beam.uniform(1.0, 1.0), gb.Foundation.winkler(1.0), loads=[gb.Load.point(1.0, 0.5)]
-    )
+    ).with_hinge(gb.Hinge(0.3))
     with pytest.raises(gb.ModelError) as caught:
-        winkler.solve("uzawa")
-    assert caught.value.code == "GB603"
+        hinged.solve("uzawa")
+    assert caught.value.code == "GB607"
 
 
 def test_methods_agree(footing: gb.Model) -> None:

@@ -9,7 +9,7 @@ use crate::nodal::newton::Work;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::NotSolved;
 use crate::nodal::solution::NodalSolution;
-use crate::nodal::{check, levels, newton, open};
+use crate::nodal::{check, levels, newton, open, reactions};
 use crate::options::{Method, Options};
 use crate::solve::exists;
 use crate::supported::{self, Way};
@@ -40,19 +40,9 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<Existence, Error> {
-        self.where_it_stands(model, elements, |solver| solver.search(model, elements, into))
-    }
-
-    /// Solves the model if an equilibrium exists.
-    fn where_it_stands(
-        &mut self,
-        model: &Model,
-        elements: usize,
-        solve: impl FnOnce(&mut Self) -> Result<(), Error>,
-    ) -> Result<Existence, Error> {
         let existence = checked(model, elements)?;
         if existence.verdict.stands() {
-            solve(self)?;
+            self.search(&model.on_given_ground(), elements, into)?;
         }
         Ok(existence)
     }
@@ -84,7 +74,11 @@ impl NodalSolver {
         elements: usize,
         into: &mut NodalSolution,
     ) -> Result<Existence, Error> {
-        self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
+        let existence = checked(model, elements)?;
+        if existence.verdict.stands() {
+            self.search_near(&model.on_given_ground(), elements, into)?;
+        }
+        Ok(existence)
     }
 
     /// Solves the model from the contact zones in `into`, or from coarse grids if this is impossible or does not
@@ -123,6 +117,7 @@ impl NodalSolver {
         }
         workspace.fill(&grid, true);
         workspace.clear_open(&grid);
+        into.reactions = reactions::reactions(model, &grid, workspace);
         swapped(workspace, into);
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;
@@ -147,12 +142,14 @@ impl NodalSolver {
         into: &mut NodalSolution,
     ) -> Result<(), Error> {
         checked(model, elements)?;
+        let model = &*model.on_given_ground();
         let grid = Grid::new(model, elements.max(1), Ground::Nodal);
         let workspace = &mut self.workspace;
         workspace.bond(&grid);
         workspace.resize(&grid);
         workspace.work = Work { grids: 1, ..Work::default() };
         workspace.solve_bonded(&grid, None).map_err(|_| stalled(1))?;
+        into.reactions = reactions::reactions(model, &grid, workspace);
         std::mem::swap(&mut workspace.deflection, &mut into.deflection);
         std::mem::swap(&mut workspace.slope, &mut into.slope);
         std::mem::swap(&mut workspace.force, &mut into.force);
@@ -173,7 +170,6 @@ pub(crate) fn checked(model: &Model, elements: usize) -> Result<Existence, Error
     let existence = exists(model)?;
     let is_local = matches!(existence.verdict, Verdict::Local(_));
     supported::check(model, Way::Nodes, is_local)?;
-    let fewest = Grid::fewest(model);
-    size::check_nodes(fewest.saturating_add(elements), Options::default().memory_limit)?;
+    size::check_nodes(&model.on_given_ground(), elements, Options::default().memory_limit)?;
     Ok(existence)
 }

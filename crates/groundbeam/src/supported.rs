@@ -3,14 +3,14 @@
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};
 //!
-//! assert_eq!(refusal(Feature::BeamShear, Way::Exact), None);
-//! assert_eq!(refusal(Feature::NoShearLayer, Way::Iteration), Some("GB603"));
+//! assert_eq!(refusal(Feature::Hinges, Way::Exact), None);
+//! assert_eq!(refusal(Feature::Hinges, Way::Iteration), Some("GB607"));
 //! ```
 
 use crate::error::Error;
-use crate::mesh::mesh::Mesh;
 use crate::model::refused::{self, Refusal};
-use crate::model::{Load, Model, Part, Problem};
+use crate::model::soil::Soil;
+use crate::model::{Model, Part, Problem, Support};
 use crate::options::{Method, Options};
 
 /// A solution method.
@@ -48,31 +48,22 @@ impl Way {
 pub enum Feature {
     /// Compression above the buckling load of the beam without the ground, with a local equilibrium.
     LocalEquilibrium,
-    /// Ground without a shear layer (μ = 0) somewhere under the beam.
-    NoShearLayer,
-    /// A beam with shear deformation.
-    BeamShear,
-    /// Loads on the ground.
-    GroundLoads,
-    /// Supports.
-    Supports,
+    /// Supports that act in one direction only.
+    OneWaySupports,
     /// Hinges.
     Hinges,
-    /// Beam stiffness or ground constants that vary along a segment.
-    Varying,
+    /// Ground constants that depend on the solution (modified Vlasov model).
+    IteratedGround,
 }
 
 impl Feature {
     /// All features, in the order of the rows in the table of features and methods. The features are checked in the
     /// same order.
-    pub const ALL: [Feature; 7] = [
+    pub const ALL: [Feature; 4] = [
         Feature::LocalEquilibrium,
-        Feature::NoShearLayer,
-        Feature::BeamShear,
-        Feature::GroundLoads,
-        Feature::Supports,
+        Feature::OneWaySupports,
         Feature::Hinges,
-        Feature::Varying,
+        Feature::IteratedGround,
     ];
 
     /// Row of the table for this feature. For each method in [`Way::ALL`] it contains the error for this feature, or
@@ -85,23 +76,9 @@ impl Feature {
                 let local = Some(&LOCAL_BY_ANOTHER_METHOD);
                 [yes, local, local, local, Some(&FACTORS_OF_A_LOCAL_EQUILIBRIUM)]
             }
-            Feature::NoShearLayer => {
-                let forces = Some(&NODAL_FORCES_ON_SPRINGS);
-                [yes, yes, forces, forces, yes]
-            }
-            Feature::BeamShear => {
-                let shear = Some(&SHEAR_BY_ANOTHER_METHOD);
-                [yes, yes, shear, shear, yes]
-            }
-            Feature::GroundLoads => {
-                let only_exactly = Some(&ONLY_EXACTLY);
-                [yes, yes, only_exactly, only_exactly, yes]
-            }
-            Feature::Supports => [yes, yes, yes, Some(&NODAL_WITH_SUPPORTS), yes],
-            Feature::Hinges => {
-                [yes, yes, Some(&ITERATION_WITH_HINGES), Some(&NODAL_WITH_HINGES), yes]
-            }
-            Feature::Varying => [yes, yes, yes, Some(&NODAL_WHERE_IT_VARIES), yes],
+            Feature::OneWaySupports => [yes, yes, yes, Some(&NODAL_ON_ONE_WAY_SUPPORTS), yes],
+            Feature::Hinges => [yes, yes, Some(&ITERATION_WITH_HINGES), yes, yes],
+            Feature::IteratedGround => [yes, yes, yes, Some(&NODAL_ON_ITERATED_GROUND), yes],
         }
     }
 
@@ -110,24 +87,16 @@ impl Feature {
     fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
         match self {
             Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),
-            Feature::NoShearLayer => without_shear_layer(model).map(|part| (part, "shear_layer")),
-            Feature::BeamShear => {
-                let beam = &model.beam;
-                let segment = beam.segments.iter().position(|s| s.shear_stiffness.is_some());
-                let segment = segment.filter(|_| beam.shear_stiffness.is_none());
-                let part = segment.map_or(Part::Beam, Part::BeamSegment);
-                beam.shears().then_some((part, "shear_stiffness"))
+            Feature::OneWaySupports => {
+                let support = model.supports.iter().position(Support::is_one_way);
+                support.map(|support| (Part::Support(support), "acts"))
             }
-            Feature::GroundLoads => {
-                let load = model.loads.iter().position(Load::is_on_ground);
-                load.map(|load| (Part::Load(load), "at"))
-            }
-            Feature::Supports => (!model.supports.is_empty()).then_some((Part::Support(0), "at")),
             Feature::Hinges => (!model.hinges.is_empty()).then_some((Part::Hinge(0), "at")),
-            Feature::Varying => model.varying_part().map(|part| match part {
-                Part::BeamSegment(_) => (part, "bending_stiffness"),
-                _ => (part, "subgrade"),
-            }),
+            Feature::IteratedGround => {
+                let soil = model.foundation.soil.as_ref()?;
+                let is_iterated = matches!(soil.soil, Soil::ModifiedVlasov(_));
+                is_iterated.then_some((Part::Foundation, "soil"))
+            }
         }
     }
 }
@@ -148,17 +117,6 @@ pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error
         }
     }
     Ok(())
-}
-
-/// Finds a part of the ground under the beam that has no shear layer: the foundation or one of its segments. Returns
-/// `None` if there is a shear layer under the whole beam.
-fn without_shear_layer(model: &Model) -> Option<Part> {
-    let ground = &model.foundation;
-    let mesh = Mesh::build(model, &[], |_| 1);
-    let cell = mesh.cells.iter().find(|cell| cell.shear_layer == 0.0)?;
-    let middle = 0.5 * (cell.x[0] + cell.x[1]);
-    let segment = ground.segments.iter().position(|s| s.from <= middle && middle < s.to);
-    Some(segment.map_or(Part::Foundation, Part::FoundationSegment))
 }
 
 #[cfg(test)]

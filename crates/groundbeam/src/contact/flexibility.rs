@@ -4,8 +4,7 @@
 //! O(n).
 
 use crate::ground::link::TwoPort;
-use crate::mesh::mesh::Mesh;
-use crate::mesh::open_ground::cell_part;
+use crate::nodal::grid::{Grid, Run};
 
 /// The flexibility matrix G of the ground, equation (5.8) of the paper, stored as three numbers per node.
 #[derive(Debug)]
@@ -19,18 +18,18 @@ pub(crate) struct Flexibility {
 }
 
 impl Flexibility {
-    pub fn of(mesh: &Mesh) -> Self {
-        let links: Vec<TwoPort> =
-            mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
-        let n = mesh.nodes.len();
+    pub fn of(grid: &Grid) -> Self {
+        let each = |run: &Run| std::iter::repeat_n(run.link, run.count);
+        let links: Vec<TwoPort> = grid.runs.iter().flat_map(each).collect();
+        let n = links.len() + 1;
         // Stiffness of the ground to the left and to the right of each node.
-        let mut from_left = vec![mesh.outside[0]; n];
+        let mut from_left = vec![grid.outside[0]; n];
         for i in 1..n {
             let link = links[i - 1];
             let hold = from_left[i - 1] + link.shunt_left;
             from_left[i] = link.shunt_right + link.series * (hold / (hold + link.series));
         }
-        let mut from_right = vec![mesh.outside[1]; n];
+        let mut from_right = vec![grid.outside[1]; n];
         for i in (0..n - 1).rev() {
             let link = links[i];
             let hold = from_right[i + 1] + link.shunt_right;

@@ -60,18 +60,8 @@ impl Solved {
             point_forces.extend((from..=to).map(force));
         }
         let (coefficients, rotation) = deflections(&grid, &mesh, &ends, &workspace);
-        let w = Deflection { mesh: &mesh, coefficients: &coefficients };
-        let mut parts = Vec::with_capacity(last);
-        for (cell, own) in mesh.cells.iter().enumerate() {
-            if own.shear_layer == 0.0 {
-                // The certificate uses the distributed pressure, because nodal forces on Winkler ground have infinite
-                // complementary energy.
-                springs::cover(&w, cell, &mut parts);
-            } else {
-                let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
-                parts.push(SurfacePart { cell, s: [-1.0, 1.0], open });
-            }
-        }
+        let open = |cell: usize| [cell, cell + 1].map(|i| settlement[ends[i]]);
+        let parts = surface_parts(&mesh, &coefficients, open);
         ContactState {
             rotation,
             zones,
@@ -83,6 +73,27 @@ impl Solved {
             mesh,
         }
     }
+}
+
+/// Returns the parts of the ground surface. On a shear layer, the ground has no pressure between the nodes. `open` returns
+/// its settlement at both ends of a cell, without the free-field settlement.
+pub(crate) fn surface_parts(
+    mesh: &Mesh,
+    coefficients: &[f64],
+    open: impl Fn(usize) -> [f64; 2],
+) -> Vec<SurfacePart> {
+    let w = Deflection { mesh, coefficients };
+    let mut parts = Vec::with_capacity(mesh.cells.len());
+    for (cell, own) in mesh.cells.iter().enumerate() {
+        if own.shear_layer == 0.0 {
+            // The certificate uses the distributed pressure. Without μ > 0, which (4.9) of Kikuchi's paper requires,
+            // the complementary energy of nodal forces is infinite.
+            springs::cover(&w, cell, &mut parts);
+        } else {
+            parts.push(SurfacePart { cell, s: [-1.0, 1.0], open: Some(open(cell)) });
+        }
+    }
+    parts
 }
 
 /// Solves the discrete problem on about `elements` equal elements.
@@ -157,9 +168,8 @@ fn deflections(
     ends: &[usize],
     workspace: &Workspace,
 ) -> (Vec<f64>, Vec<f64>) {
-    let shears = mesh.cells.iter().any(|cell| cell.beam_shear.is_some());
     let mut w = vec![0.0; mesh.cells.len() * TERMS];
-    let mut turns = vec![0.0; if shears { w.len() } else { 0 }];
+    let mut turns = vec![0.0; if mesh.shears() { w.len() } else { 0 }];
     let element = |i: usize| {
         let operator = Operator::of(&mesh.cells[i], grid.axial_force, ZoneKind::Open);
         ExactElement::new(&operator, mesh.cells[i].length())

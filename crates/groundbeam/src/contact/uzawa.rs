@@ -3,13 +3,13 @@
 //! The relaxation parameters follow from a bound of the beam's flexibility, so that the iteration converges. A sweep
 //! costs O(n) operations. See section 9 of `docs/methods.md`.
 
-use super::surface::{PointForce, Surface, SurfacePart};
+use super::surface::{PointForce, Surface};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::contact::flexibility::Flexibility;
 use crate::contact::nodes;
-use crate::contact::state::{ContactState, Unconverged};
+use crate::contact::state::{ContactState, Unconverged, turned};
 use crate::element::ExactElement;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
@@ -19,6 +19,7 @@ use crate::mesh::mesh::Mesh;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::NotSolved;
+use crate::numeric::polynomial::TERMS;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::SWEEPS;
 
@@ -50,11 +51,11 @@ pub(crate) fn solve(
 ) -> Result<ContactState, Unconverged> {
     let all: Vec<usize> = (0..=grid.last()).collect();
     let mesh = nodes::mesh(grid, &all);
-    let ground = Flexibility::of(&mesh);
+    let ground = Flexibility::of(grid);
     let beam = FreeBeam::of(&mesh);
     let flexibility = beam.largest_flexibility();
     let rho = relaxed(&ground.diagonal, flexibility, relaxation);
-    let gap: Vec<f64> = (0..mesh.nodes.len()).map(|i| initial_gap(&mesh, i)).collect();
+    let gap: Vec<f64> = all.iter().map(|node| grid.gap(*node)).collect();
     let mut pressure =
         if from_bilateral { bilateral_pressure(grid) } else { vec![0.0; mesh.nodes.len()] };
     let mut rigid = [0.0; 2];
@@ -202,10 +203,6 @@ fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
         worst = if moved.is_nan() { f64::NAN } else { worst.max(moved) };
     }
     if worst == 0.0 { 0.0 } else { worst / largest }
-}
-
-fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
-    if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
 }
 
 /// Returns the element of the beam in a cell, without the stiffness of the ground.
@@ -361,12 +358,18 @@ fn found(
             v[1] += rigid[k] * (b[k] - a[k]) / h;
         }
     }
-    let unfolded = |(v, cell): (&[f64; 4], &Cell)| element(cell, mesh.axial_force).unfold(v).0;
-    let coefficients: Vec<f64> = shapes.iter().zip(&mesh.cells).flat_map(unfolded).collect();
+    let (mut coefficients, mut rotation) = (Vec::new(), Vec::new());
+    for (v, cell) in shapes.iter().zip(&mesh.cells) {
+        let element = element(cell, mesh.axial_force);
+        let (w, _) = element.unfold(v);
+        coefficients.extend(w);
+        if mesh.shears() {
+            let own = element.rotation(v).map_or_else(|| turned(cell, &w), |own| own[..].into());
+            rotation.extend_from_slice(&own.at_least(TERMS));
+        }
+    }
     let u = ground.settlement(pressure);
-    let parts = (0..mesh.cells.len())
-        .map(|cell| SurfacePart { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
-        .collect();
+    let parts = nodes::surface_parts(&mesh, &coefficients, |cell| [u[cell], u[cell + 1]]);
     let last = mesh.cells.len();
     let at = |node: usize| nodes::point(node, last);
     let touching = pressure.iter().enumerate().filter(|(_, force)| **force > 0.0);
@@ -382,7 +385,7 @@ fn found(
     }
     let surface = Surface { parts, point_forces };
     ContactState {
-        rotation: Vec::new(),
+        rotation,
         mesh,
         coefficients,
         zones,

@@ -172,9 +172,12 @@ pub(crate) fn check_cells(cells: usize, options: &Options) -> Result<(), Error> 
     within(options.method.name(), cells, needed, options.memory_limit)
 }
 
-/// Refuses a solution with too many nodes.
-pub(crate) fn check_nodes(nodes: usize, limit: u64) -> Result<(), Error> {
-    within("nodal", nodes, nodes.saturating_mul(NODE) as u64, limit)
+/// Refuses a solution at the nodes of a mesh with too many nodes.
+pub(crate) fn check_nodes(model: &Model, elements: usize, limit: u64) -> Result<(), Error> {
+    let count = few(model).unwrap_or_else(|| Count::of(model));
+    let nodes = elements.saturating_add(count.fewest);
+    let each = if count.is_even { NODE } else { MESH };
+    within("nodal", nodes, nodes.saturating_mul(each) as u64, limit)
 }
 
 fn within(method: &str, elements: usize, needed: u64, limit: u64) -> Result<(), Error> {

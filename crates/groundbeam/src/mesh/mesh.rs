@@ -57,6 +57,11 @@ impl<R: Real> Mesh<R> {
         self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
     }
 
+    /// Whether the beam has shear deformation anywhere.
+    pub fn shears(&self) -> bool {
+        self.cells.iter().any(|cell| cell.beam_shear.is_some())
+    }
+
     /// The node nearest to x.
     pub fn node_at(&self, x: f64) -> usize {
         let right = self.nodes.partition_point(|node| node.x < x).min(self.nodes.len() - 1);

@@ -11,41 +11,21 @@ pub(crate) struct Refusal {
     hint: &'static str,
 }
 
-/// Refuses ground with μ = 0 under the beam. A method with pressures concentrated at the nodes, (5.5) of Kikuchi's
-/// paper, needs μ > 0, (4.9) of the paper.
-pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
-    code: "GB603",
-    message: "the concentrated pressures at the nodes in this method need a shear layer, but mu is zero somewhere under the beam",
-    hint: "use the method `exact`",
-};
-
-pub(crate) const NODAL_WITH_SUPPORTS: Refusal = Refusal {
+pub(crate) const NODAL_ON_ONE_WAY_SUPPORTS: Refusal = Refusal {
     code: "GB604",
-    message: "the nodal method does not support beams with supports",
+    message: "the nodal method does not support supports that act in one direction only",
     hint: "use the method `exact` or `active-set`",
 };
 
-pub(crate) const NODAL_WHERE_IT_VARIES: Refusal = Refusal {
+pub(crate) const NODAL_ON_ITERATED_GROUND: Refusal = Refusal {
     code: "GB605",
-    message: "the nodal method does not support data that vary along a segment",
-    hint: "use the method `exact` or `active-set`, or many segments with constant values",
-};
-
-pub(crate) const NODAL_WITH_HINGES: Refusal = Refusal {
-    code: "GB606",
-    message: "the nodal method does not support hinges",
-    hint: "use the method `exact` or `active-set`",
+    message: "the nodal method does not support the modified Vlasov model, whose ground constants depend on the solution",
+    hint: "use the method `exact` or `active-set`, or give k and mu",
 };
 
 pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
     code: "GB607",
     message: "the iteration (5.14)–(5.18) of Kikuchi's paper does not support hinges",
-    hint: "use the method `exact` or `active-set`",
-};
-
-pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
-    code: "GB609",
-    message: "only the methods `exact` and `active-set` support loads on the ground",
     hint: "use the method `exact` or `active-set`",
 };
 
@@ -59,12 +39,6 @@ pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
     code: "GB612",
     message: "this compression exceeds the buckling load of the beam without ground, so load factors cannot be computed",
     hint: "omit the load factors; the result then contains the critical compression, at which the beam buckles",
-};
-
-pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
-    code: "GB614",
-    message: "only the methods `exact` and `active-set` solve a beam with shear deformation",
-    hint: "use the method `exact` or `active-set`, or omit the shear stiffness",
 };
 
 impl Problem {

@@ -1,6 +1,6 @@
 //! Checks the nodal values of a solution: balance of forces and moments, signs of the ground forces, and no penetration.
 
-use crate::model::{Extent, Model, triangles};
+use crate::model::{Extent, Load, Model, triangles};
 use crate::nodal::solution::NodalCheck;
 use crate::nodal::solution::NodalSolution;
 
@@ -39,34 +39,60 @@ impl Sums {
     }
 }
 
-pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
-    let middle = 0.5 * model.beam.length;
-    let (mut force, mut moment, mut size) = (0.0, 0.0, 0.0);
-    let mut act = |f: f64, x: f64| {
-        force += f;
-        moment += f * (x - middle);
-        size += f.abs();
-    };
-    let mut turns = 0.0;
-    for load in model.beam_loads() {
+/// Sums of the forces and moments on the beam.
+struct Balance {
+    /// Middle of the beam.
+    middle: f64,
+    /// Sum of the forces, positive downwards.
+    force: f64,
+    /// Sum of the moments about the middle of the beam, positive clockwise.
+    moment: f64,
+    /// Σ|F| + Σ|M|/l with the forces F, the moments M and the length l of the beam.
+    size: f64,
+}
+
+impl Balance {
+    fn add_force(&mut self, force: f64, x: f64) {
+        self.force += force;
+        self.moment += force * (x - self.middle);
+        self.size += force.abs();
+    }
+
+    fn add_moment(&mut self, moment: f64) {
+        self.moment += moment;
+        self.size += moment.abs() / (2.0 * self.middle);
+    }
+
+    fn add_load(&mut self, load: &Load) {
         match (load.action.derivative(), load.extent) {
-            (0, Extent::Point { at, size }) => act(size, at),
+            (0, Extent::Point { at, size }) => self.add_force(size, at),
             (0, extent) => {
                 for (force, x) in triangles(extent.ends(), extent.sizes()) {
-                    act(force, x);
+                    self.add_force(force, x);
                 }
             }
-            (1, Extent::Point { size, .. }) => turns += size,
+            (1, Extent::Point { size, .. }) => self.add_moment(size),
             (1, Extent::Distributed { from, to, start, end }) => {
-                turns += 0.5 * (start + end) * (to - from);
+                self.add_moment(0.5 * (start + end) * (to - from));
             }
             // An imposed curvature adds neither a force nor a moment to the loads.
             _ => {}
         }
     }
+}
+
+pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
+    let middle = 0.5 * model.beam.length;
+    let mut balance = Balance { middle, force: 0.0, moment: 0.0, size: 0.0 };
+    model.beam_loads().for_each(|load| balance.add_load(load));
+    for reaction in &solution.reactions {
+        balance.add_force(-reaction.force, reaction.at);
+        balance.add_moment(reaction.moment);
+    }
     // The moment of the axial force follows from the difference of the end deflections.
     let last = solution.deflection.len() - 1;
-    turns += model.beam.axial_force * (solution.deflection[0] - solution.deflection[last]);
+    let [left, right] = [0, last].map(|end| solution.deflection[end]);
+    balance.add_moment(model.beam.axial_force * (left - right));
     let (mut smallest, mut largest) = (0.0_f64, 0.0_f64);
     let (mut deepest, mut deflection) = (0.0_f64, 0.0_f64);
     for row in solution.grid.iter().flat_map(|grid| &grid.runs) {
@@ -87,14 +113,14 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
         largest = largest.max(largest_of(&sums.compression));
         deepest = deepest.max(largest_of(&sums.depth));
         deflection = deflection.max(largest_of(&sums.deflection));
-        force -= sum;
-        moment -= sum * (row.cell.x[0] - middle) + lever * row.h;
-        size += sums.size.iter().sum::<f64>();
+        balance.force -= sum;
+        balance.moment -= sum * (row.cell.x[0] - middle) + lever * row.h;
+        balance.size += sums.size.iter().sum::<f64>();
     }
     let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };
     NodalCheck {
-        force_balance: relative(force.abs(), size),
-        moment_balance: relative((moment + turns).abs(), size * model.beam.length),
+        force_balance: relative(balance.force.abs(), balance.size),
+        moment_balance: relative(balance.moment.abs(), balance.size * model.beam.length),
         smallest_force: relative(smallest, largest),
         deepest_penetration: relative(deepest, deflection),
     }

@@ -18,6 +18,7 @@ pub(crate) mod levels;
 pub(crate) mod newton;
 pub(crate) mod open;
 pub(crate) mod quadratic;
+pub(crate) mod reactions;
 pub(crate) mod search;
 pub(crate) mod solution;
 pub(crate) mod span;

@@ -3,18 +3,22 @@
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Work;
 use crate::numeric::tolerance::NODES;
+use crate::solution::fields::Reaction;
 
 /// Solution of a long beam at every node of its mesh. The ground forces act at the nodes only.
 #[derive(Debug, Clone, Default)]
 pub struct NodalSolution {
     /// Deflection w at every node \[m\].
     pub deflection: Vec<f64>,
-    /// Slope w' at every node \[rad\].
+    /// Rotation of the cross-sections at every node \[rad\]. It equals w' if the beam has no shear deformation. At a
+    /// hinge, it is the rotation on the right side.
     pub slope: Vec<f64>,
     /// Settlement u of the ground at every node \[m\].
     pub settlement: Vec<f64>,
     /// Force of the ground on the beam at every node, positive upwards \[N\].
     pub force: Vec<f64>,
+    /// Reactions of the supports, in the order of the model.
+    pub reactions: Vec<Reaction>,
     /// First and last node of each contact zone.
     pub contact: Vec<[usize; 2]>,
     /// Work of the solve.
@@ -42,10 +46,9 @@ impl NodalSolution {
 /// Residuals of equilibrium, largest tensile ground force and largest penetration in a [`NodalSolution`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalCheck {
-    /// Residual |ΣF| of the forces, relative to Σ|F|.
+    /// Residual |ΣF| of the forces, relative to Σ|F| + Σ|M|/l with the beam length l.
     pub force_balance: f64,
-    /// Residual |ΣM| of the moments about the middle of the beam, relative to Σ|F| times the length of the
-    /// beam.
+    /// Residual |ΣM| of the moments about the middle of the beam, relative to l Σ|F| + Σ|M|.
     pub moment_balance: f64,
     /// Largest tensile ground force with negative sign, relative to the largest compressive ground force. It is
     /// zero if no ground force is tensile.

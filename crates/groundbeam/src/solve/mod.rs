@@ -81,11 +81,11 @@ pub(crate) fn solve_in(
     if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
 }
 
-/// Maximum number of times that the method `active-set` halves the length of its elements.
+/// Maximum number of times that a method with a mesh halves the length of its elements.
 const MOST_HALVINGS: usize = 12;
 
-/// Solves a model by the chosen method. `active-set` halves its elements under the conditions of *How accurate a mesh
-/// is* in docs/methods.md.
+/// Solves a model by the chosen method. A method with a mesh halves its elements under the conditions of *How accurate a
+/// mesh is* in docs/methods.md.
 fn uncancelled(
     model: &Model,
     options: &Options,
@@ -93,7 +93,7 @@ fn uncancelled(
     workspace: &mut Workspace,
 ) -> Result<Outcome, Error> {
     let mut outcome = solve_once(model, options, likely, workspace);
-    if options.method != Method::ActiveSet {
+    if options.method == Method::Exact {
         return outcome;
     }
     let mut options = options.clone();
