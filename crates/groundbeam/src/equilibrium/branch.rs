@@ -12,6 +12,7 @@ use crate::contact::intervals::{Interval, joined, longest_difference, positions}
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
 use crate::element::element::MOST_COMPRESSION;
+use crate::equilibrium::buckling::{BELOW_FOLDING, folding_compression};
 use crate::equilibrium::one_way;
 use crate::mesh::mesh::required_positions;
 use crate::model::Model;
@@ -96,9 +97,18 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     while step > LAST * if found.is_none() { wanted } else { last.compression }
         && !cancel.is_cancelled()
     {
+        let folding = folding_compression(model, &last.contact);
+        let nearly_folding = (1.0 - BELOW_FOLDING) * folding;
+        if last.compression >= nearly_folding {
+            last.compression = folding;
+            break;
+        }
         let mut target = last.compression + step;
         if found.is_none() {
             target = target.min(wanted);
+        }
+        if found.is_some() || wanted >= folding {
+            target = target.min(nearly_folding);
         }
         if target > most {
             let last = PathPoint { compression: f64::INFINITY, ..last };

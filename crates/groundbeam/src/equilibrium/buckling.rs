@@ -15,9 +15,9 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// The search for a buckling load ends below the compression that removes the shear stiffness, at this fraction of its
+/// The search for a buckling load ends below the [folding compression](folding_compression), at this fraction of its
 /// distance from the model's compression. Closer to it, a solve needs more elements.
-const BELOW_FOLDING: f64 = 1e-8;
+pub(crate) const BELOW_FOLDING: f64 = 1e-8;
 
 /// Returns the buckling load \[N\] of a valid model without its ground. It is a lower bound, accurate to twelve digits,
 /// and infinite if the beam does not buckle.
@@ -47,13 +47,22 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// Returns the buckling load \[N\] of the beam bonded to the ground on given intervals, a lower bound accurate to
-/// twelve digits. If the shear stiffness vanishes first, the load minus the model's compression has eight digits.
-pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
+/// Returns the compression \[N\] that removes the shear stiffness of the beam somewhere, if the beam is bonded to the
+/// ground on given intervals. It is infinite for a beam without shear deformation.
+pub(crate) fn folding_compression(model: &Model, contact: &[Interval]) -> f64 {
+    if !model.beam.shears() {
+        return f64::INFINITY;
+    }
     let touch = zone_kind_of(contact);
     let has_shear_stiffness =
         |compression: f64| !folds(&compressed(model, compression), contact.as_flattened(), &touch);
-    let folding = least_unstable(model, f64::INFINITY, has_shear_stiffness);
+    least_unstable(model, f64::INFINITY, has_shear_stiffness)
+}
+
+/// Returns the buckling load \[N\] of the beam bonded to the ground on given intervals, a lower bound accurate to
+/// twelve digits. If the shear stiffness vanishes first, the load minus the model's compression has eight digits.
+pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
+    let folding = folding_compression(model, contact);
     let above = folding + model.beam.axial_force;
     let enough =
         if above > 0.0 && above.is_finite() { folding - BELOW_FOLDING * above } else { folding };
@@ -72,21 +81,24 @@ pub(crate) fn is_stable_bonded(
     Bonded::new(&compressed(model, compression), cancel).is_stable_on(contact)
 }
 
-/// A lower bound of the compression at which the beam becomes unstable. The search ends at a compression above `enough`
-/// at which the beam is stable.
+/// A lower bound of the compression at which the beam becomes unstable. Returns `enough` if the beam is stable at this
+/// compression.
 fn least_unstable(model: &Model, enough: f64, is_stable: impl Fn(f64) -> bool) -> f64 {
     let l = model.beam.length;
     let unit = model.beam.stiffest() / (l * l);
     let mut low = 0.0;
-    let mut high = unit;
+    let mut high = unit.min(enough);
     while is_stable(high) {
+        if high == enough {
+            return enough;
+        }
         low = high;
-        high *= 2.0;
+        high = (2.0 * high).min(enough);
         if high > MOST_COMPRESSION * unit {
             return f64::INFINITY;
         }
     }
-    while high - low > 1e-13 * high && low < enough {
+    while high - low > 1e-13 * high {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
             break;

@@ -14,6 +14,18 @@ pub struct Support {
     pub acts: Acts,
 }
 
+/// The force and the moment that a support exerts on the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Reaction {
+    /// Position of the support \[m\].
+    pub at: f64,
+    /// Force of the support on the beam, positive upwards \[N\].
+    pub force: f64,
+    /// Moment that the support exerts on the beam, positive clockwise \[N·m\].
+    pub moment: f64,
+}
+
 /// The directions in which a support acts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Acts {

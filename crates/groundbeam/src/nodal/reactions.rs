@@ -7,8 +7,8 @@ use super::beam::Beam;
 use super::grid::Grid;
 use super::newton::Workspace;
 use crate::element::element::Element;
+use crate::model::support::Reaction;
 use crate::model::{Model, Support, SupportKind};
-use crate::solution::fields::Reaction;
 
 /// Returns the reactions of the supports, in the order of the model, from the solution in the workspace. Sets the slope
 /// at each hinge to the slope on its right side.

@@ -1,9 +1,9 @@
 //! Solution of a long beam at the nodes of its mesh, and the check of equilibrium, tension and penetration in this solution.
 
+use crate::model::support::Reaction;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Work;
 use crate::numeric::tolerance::NODES;
-use crate::solution::fields::Reaction;
 
 /// Solution of a long beam at every node of its mesh. The ground forces act at the nodes only.
 #[derive(Debug, Clone, Default)]

@@ -3,12 +3,11 @@
 use crate::contact::state::ContactState;
 use crate::contact::surface::{PointForce, Surface};
 use crate::mesh::deflection::BeamPoint;
+use crate::model::support::Reaction;
 use crate::model::{Action, Model, Support, SupportKind};
 use crate::numeric::tolerance::same_place;
 use crate::solution::candidate::{Candidate, Workspace};
-use crate::solution::fields::{
-    ConcentratedForce, ContactZone, EndForces, Reaction, Side, SolutionPiece,
-};
+use crate::solution::fields::{ConcentratedForce, ContactZone, EndForces, Side, SolutionPiece};
 
 impl Candidate {
     /// Computes a candidate solution (fields, contact zones and forces) from the deflection and the contact set

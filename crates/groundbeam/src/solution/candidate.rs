@@ -3,8 +3,9 @@
 use crate::contact::edge_error::EdgeError;
 use crate::existence::verdict::Existence;
 use crate::model::Model;
+use crate::model::support::Reaction;
 use crate::solution::fields::{
-    ConcentratedForce, ContactZone, EndForces, Fields, Reaction, Side, SolutionPiece,
+    ConcentratedForce, ContactZone, EndForces, Fields, Side, SolutionPiece,
 };
 
 /// Candidate for an equilibrium: the fields, contact zones and forces that a certificate checks.

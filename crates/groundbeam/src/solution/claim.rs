@@ -1,9 +1,10 @@
 //! Converts model and solution to the input of the proof, which treats their doubles as exact numbers.
 
+use crate::model::support::Reaction;
 use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model, Profile};
 use crate::model::{Support, SupportKind};
 use crate::solution::candidate::Candidate;
-use crate::solution::fields::{Reaction, Side};
+use crate::solution::fields::Side;
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar, Wide};
 
 /// The beam counts as close to a support if the distance between beam and support is at most this fraction of the

@@ -41,18 +41,6 @@ pub struct ConcentratedForce {
     pub force: f64,
 }
 
-/// The force and the moment that a support exerts on the beam.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Reaction {
-    /// Position of the support \[m\].
-    pub at: f64,
-    /// Force of the support on the beam, positive upwards \[N\].
-    pub force: f64,
-    /// Moment that the support exerts on the beam, positive clockwise \[N·m\].
-    pub moment: f64,
-}
-
 /// The side of a position from which the value of a field is taken if the field jumps at this position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {

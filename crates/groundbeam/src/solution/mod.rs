@@ -13,11 +13,10 @@ pub(crate) mod lift_off;
 pub(crate) mod solution;
 mod turning_points;
 
+pub use crate::model::support::Reaction;
 pub use certificate::Certificate;
 pub use field::{ByField, Dimension, Field};
-pub use fields::{
-    ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
-};
+pub use fields::{ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Side};
 pub use hinges::HingeTurn;
 pub use lift_off::LiftOff;
 pub use solution::Solution;

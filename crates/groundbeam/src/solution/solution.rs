@@ -5,6 +5,7 @@ use crate::existence::verdict::Existence;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::free_field::{self, Line, ground_loads};
+use crate::model::support::Reaction;
 use crate::model::{GroundOutside, Model};
 use crate::solution::certificate::Certificate;
 
@@ -13,7 +14,7 @@ use crate::solution::candidate::Candidate;
 use crate::solution::claim;
 use crate::solution::field::{ByField, Field};
 use crate::solution::fields::{
-    ConcentratedForce, ContactZone, EndForces, Fields, Range, Reaction, Side, SolutionPiece,
+    ConcentratedForce, ContactZone, EndForces, Fields, Range, Side, SolutionPiece,
 };
 use groundbeam_proof::{NotProven, Proof, Scalar};
 
