@@ -16,7 +16,6 @@ fn named(feature: Feature) -> &'static str {
     match feature {
         Feature::LocalEquilibrium => "compression beyond the beam's own buckling load",
         Feature::OneWaySupports => "supports that act in one direction",
-        Feature::Hinges => "hinges",
         Feature::IteratedGround => "k and μ that depend on the solution (modified Vlasov model)",
     }
 }

@@ -128,9 +128,6 @@ fn an_unsupported_model_is_reported_at_its_line() {
     let done = folder.run(&["solve", "model.toml"]);
     done.fails(2, "error[GB616]: where the beam or the ground varies");
     done.fails(2, "mu = [1e12, 2e12]");
-    let folder = Folder::with(&format!("{LIFTS}\n[[hinge]]\nat = 0.3\n"));
-    let arguments = ["solve", "model.toml", "--method", "uzawa"];
-    folder.run(&arguments).fails(2, "error[GB607]");
     folder.run(&["solve", "model.toml", "--pressure", "dirac"]).fails(2, "--method exact");
 }
 

@@ -3,8 +3,8 @@
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};
 //!
-//! assert_eq!(refusal(Feature::Hinges, Way::Exact), None);
-//! assert_eq!(refusal(Feature::Hinges, Way::Iteration), Some("GB607"));
+//! assert_eq!(refusal(Feature::OneWaySupports, Way::Exact), None);
+//! assert_eq!(refusal(Feature::OneWaySupports, Way::Nodes), Some("GB604"));
 //! ```
 
 use crate::error::Error;
@@ -50,8 +50,6 @@ pub enum Feature {
     LocalEquilibrium,
     /// Supports that act in one direction only.
     OneWaySupports,
-    /// Hinges.
-    Hinges,
     /// Ground constants that depend on the solution (modified Vlasov model).
     IteratedGround,
 }
@@ -59,12 +57,8 @@ pub enum Feature {
 impl Feature {
     /// All features, in the order of the rows in the table of features and methods. The features are checked in the
     /// same order.
-    pub const ALL: [Feature; 4] = [
-        Feature::LocalEquilibrium,
-        Feature::OneWaySupports,
-        Feature::Hinges,
-        Feature::IteratedGround,
-    ];
+    pub const ALL: [Feature; 3] =
+        [Feature::LocalEquilibrium, Feature::OneWaySupports, Feature::IteratedGround];
 
     /// Row of the table for this feature. For each method in [`Way::ALL`] it contains the error for this feature, or
     /// `None` if the method supports the feature.
@@ -77,7 +71,6 @@ impl Feature {
                 [yes, local, local, local, Some(&FACTORS_OF_A_LOCAL_EQUILIBRIUM)]
             }
             Feature::OneWaySupports => [yes, yes, yes, Some(&NODAL_ON_ONE_WAY_SUPPORTS), yes],
-            Feature::Hinges => [yes, yes, Some(&ITERATION_WITH_HINGES), yes, yes],
             Feature::IteratedGround => [yes, yes, yes, Some(&NODAL_ON_ITERATED_GROUND), yes],
         }
     }
@@ -91,7 +84,6 @@ impl Feature {
                 let support = model.supports.iter().position(Support::is_one_way);
                 support.map(|support| (Part::Support(support), "acts"))
             }
-            Feature::Hinges => (!model.hinges.is_empty()).then_some((Part::Hinge(0), "at")),
             Feature::IteratedGround => {
                 let soil = model.foundation.soil.as_ref()?;
                 let is_iterated = matches!(soil.soil, Soil::ModifiedVlasov(_));

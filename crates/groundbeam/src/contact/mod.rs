@@ -8,6 +8,7 @@ pub(crate) mod edge_step;
 pub(crate) mod edges;
 pub(crate) mod exact;
 mod flexibility;
+mod free_beam;
 pub(crate) mod intervals;
 pub(crate) mod layout;
 pub(crate) mod nodes;

@@ -1,27 +1,24 @@
 //! Solves the nodal problem by Uzawa's iteration, (5.14)–(5.18) of Kikuchi's paper, or by successive over-relaxation.
 //!
 //! The relaxation parameters follow from a bound of the beam's flexibility, so that the iteration converges. A sweep
-//! costs O(n) operations. See section 9 of `docs/methods.md`.
+//! costs O(n) operations for n nodes. See section 9 of `docs/methods.md`.
 
+use super::free_beam::{FreeBeam, element};
 use super::surface::{PointForce, Surface};
 use crate::cancel::Cancel;
-use crate::chain::elimination::Chain;
-use crate::chain::node::{ChainCell, ChainNode};
 use crate::contact::flexibility::Flexibility;
 use crate::contact::nodes;
 use crate::contact::state::{ContactState, Unconverged, turned};
-use crate::element::ExactElement;
-use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
-use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
+use crate::model::Model;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::NotSolved;
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::step::Step;
-use crate::numeric::tolerance::SWEEPS;
+use crate::numeric::tolerance::{SUM_ROUNDING, SWEEPS};
 
 /// Ratio of a relaxation parameter to the largest value for which convergence is proved.
 const SAFE: f64 = 0.95;
@@ -29,6 +26,10 @@ const SAFE: f64 = 0.95;
 /// Maximum number of Newton steps for the amplitudes of the rigid motions in a sweep. Usually two or three steps are
 /// sufficient.
 const MOST_NEWTON: usize = 200;
+
+/// Damping of a Newton step after one that increased the imbalance, and of a step from a singular matrix, relative to the
+/// matrix with all nodes in contact.
+const LEAST_DAMPING: f64 = 1e-3;
 
 /// Choice of the relaxation parameters ρᵢ of the nodes i.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +44,7 @@ pub(crate) enum Relaxation {
 /// Solves the nodal problem by Uzawa's iteration. The iteration starts from the pressure of the bilateral problem if
 /// `from_bilateral` is set, otherwise from zero pressure.
 pub(crate) fn solve(
+    model: &Model,
     grid: &Grid,
     relaxation: Relaxation,
     from_bilateral: bool,
@@ -52,13 +54,14 @@ pub(crate) fn solve(
     let all: Vec<usize> = (0..=grid.last()).collect();
     let mesh = nodes::mesh(grid, &all);
     let ground = Flexibility::of(grid);
-    let beam = FreeBeam::of(&mesh);
+    let beam = FreeBeam::of(model, &mesh);
     let flexibility = beam.largest_flexibility();
     let rho = relaxed(&ground.diagonal, flexibility, relaxation);
-    let gap: Vec<f64> = all.iter().map(|node| grid.gap(*node)).collect();
+    let gap = all.iter().map(|node| grid.gap(*node)).collect();
+    let iteration = Iteration::new(&ground, &beam, rho, gap);
     let mut pressure =
         if from_bilateral { bilateral_pressure(grid) } else { vec![0.0; mesh.nodes.len()] };
-    let mut rigid = [0.0; 2];
+    let mut rigid = vec![0.0; beam.motions.len()];
     let mut history = Vec::new();
     let mut residual = f64::INFINITY;
     for _ in 0..most_sweeps {
@@ -66,12 +69,12 @@ pub(crate) fn solve(
             break;
         }
         let deflection = beam.deflection(&pressure);
-        let next = sweep(&ground, &beam, &rho, &gap, &deflection, &pressure, &mut rigid);
-        residual = change(&pressure, &next, &rho, &ground.diagonal);
+        let next = iteration.sweep(&deflection, &pressure, &mut rigid);
+        residual = change(&pressure, &next, &iteration.rho, &ground.diagonal);
         pressure = next;
         let touching = pressure.windows(2).filter(|p| p[0] == 0.0 && p[1] > 0.0).count();
         let zones = touching + usize::from(pressure[0] > 0.0);
-        history.push(Step { zones, step: rho[0], decrement: residual });
+        history.push(Step { zones, step: iteration.rho[0], decrement: residual });
         if residual <= SWEEPS || !residual.is_finite() {
             break;
         }
@@ -80,7 +83,7 @@ pub(crate) fn solve(
         let iterations = history.len();
         return Err(Unconverged { iterations, why: NotConverged::Sweeps(residual) });
     }
-    Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
+    Ok(found(mesh.clone(), &ground, &beam, &pressure, &rigid, history))
 }
 
 /// Computes the nodal pressures (5.5) for ground that can also pull, and sets tensile pressures to zero, as a start for
@@ -111,86 +114,144 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// Performs one sweep (5.17), with the rigid motion for which the new pressure satisfies the equilibrium conditions
-/// (5.19), in the nodal form (5.20).
-fn sweep(
-    ground: &Flexibility,
-    beam: &FreeBeam,
-    rho: &[f64],
-    gap: &[f64],
-    deflection: &[f64],
-    before: &[f64],
-    rigid: &mut [f64; 2],
-) -> Vec<f64> {
-    let n = before.len();
-    // `behind` contains the sum Σ_{j ≥ i} Gᵢⱼ pⱼ at each node i, with the flexibility matrix G of the ground and the
-    // old pressure p.
-    let mut behind = vec![0.0; n];
-    for i in (0..n).rev() {
-        let carried = if i + 1 < n { ground.leftward[i + 1] * behind[i + 1] } else { 0.0 };
-        behind[i] = ground.diagonal[i] * before[i] + carried;
-    }
-    let mut next = vec![0.0; n];
-    for _ in 0..MOST_NEWTON {
-        // Σ_{j < i} Gᵢⱼ pⱼ at node i for the new pressure p, and its derivatives with respect to the amplitudes of both
-        // rigid motions.
-        let mut ahead = [0.0; 3];
-        let mut balance = beam.wanted;
-        let mut slope = [[0.0; 2]; 2];
-        for i in 0..n {
-            if i > 0 {
-                ahead = ahead.map(|a| a * ground.rightward[i]);
-            }
-            let r = beam.motions[i];
-            let w = deflection[i] + r[0] * rigid[0] + r[1] * rigid[1];
-            let value = before[i] - rho[i] * (ahead[0] + behind[i] + gap[i] - w);
-            let mut derivative = [0.0; 2];
-            // The new nodal pressure is the positive part of `value`, (5.13) of Kikuchi's paper.
-            next[i] = value.max(0.0);
-            if value > 0.0 {
-                derivative = [0, 1].map(|k| rho[i] * (r[k] - ahead[1 + k]));
-            }
-            for k in 0..2 {
-                balance[k] -= next[i] * r[k];
-                for m in 0..2 {
-                    slope[k][m] += r[k] * derivative[m];
-                }
-            }
-            ahead[0] += ground.diagonal[i] * next[i];
-            for k in 0..2 {
-                ahead[1 + k] += ground.diagonal[i] * derivative[k];
-            }
-        }
-        let size: f64 = next.iter().sum::<f64>().max(beam.size);
-        if beam.free == 0 || balance.iter().all(|b| b.abs() <= 4.0 * f64::EPSILON * size) {
-            break;
-        }
-        let step = newton(&balance, &slope, beam.free, rho[0] * n as f64);
-        if step.iter().zip(rigid.iter()).all(|(s, r)| s.abs() <= f64::EPSILON * 0.5 * r.abs()) {
-            break;
-        }
-        for k in 0..2 {
-            rigid[k] += step[k];
-        }
-    }
-    next
+/// The data of all sweeps.
+struct Iteration<'a> {
+    ground: &'a Flexibility,
+    beam: &'a FreeBeam<'a>,
+    rho: Vec<f64>,
+    gap: Vec<f64>,
+    /// Σ ρᵢ r(xᵢ)² over the nodes for each rigid motion r, the scale of its diagonal entry in Newton's method.
+    whole: Vec<f64>,
 }
 
-/// Solves `slope`·step = `balance`. With fewer than two nodes in contact, the singular `slope` gets a larger diagonal.
-fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) -> [f64; 2] {
-    let [a, b] = *balance;
-    if free == 1 {
-        return [a / slope[0][0].max(1e-6 * whole), 0.0];
+impl<'a> Iteration<'a> {
+    fn new(ground: &'a Flexibility, beam: &'a FreeBeam, rho: Vec<f64>, gap: Vec<f64>) -> Self {
+        let whole = |r: &Vec<f64>| rho.iter().zip(r).map(|(rho, r)| rho * r * r).sum();
+        let whole = beam.motions.iter().map(whole).collect();
+        Iteration { ground, beam, rho, gap, whole }
     }
-    let mut s = *slope;
-    let determinant = |s: &[[f64; 2]; 2]| s[0][0] * s[1][1] - s[0][1] * s[1][0];
-    if determinant(&s) <= 1e-12 * (s[0][0] * s[1][1]).max(1e-12 * whole * whole) {
-        for k in 0..2 {
-            s[k][k] += 1e-3 * whole;
+
+    /// Performs one sweep (5.17), with the rigid motion for which the new pressure satisfies the equilibrium conditions
+    /// (5.19), in the nodal form (5.20). `rigid` has the amplitudes of the rigid motions.
+    fn sweep(&self, deflection: &[f64], before: &[f64], rigid: &mut Vec<f64>) -> Vec<f64> {
+        let behind = self.settlement_behind(before);
+        let swept =
+            |rigid: &[f64]| self.swept(&self.beam.moved(deflection, rigid), before, &behind);
+        let mut found = swept(rigid);
+        let mut damping = 0.0;
+        for _ in 0..MOST_NEWTON {
+            let size = found.pressure.iter().sum::<f64>().max(self.beam.size);
+            if found.balance.iter().all(|b| b.abs() <= SUM_ROUNDING * size) {
+                break;
+            }
+            let step = newton(&found, &self.whole, damping);
+            let largest = rigid.iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+            if step.iter().all(|s| s.abs() <= f64::EPSILON * 0.5 * largest) {
+                break;
+            }
+            let moved: Vec<f64> = rigid.iter().zip(step).map(|(r, s)| r + s).collect();
+            let next = swept(&moved);
+            // The balances are monotone functions of the amplitudes, so a sufficiently damped step does not increase
+            // them.
+            if next.imbalance(&self.whole) <= found.imbalance(&self.whole) {
+                (*rigid, found) = (moved, next);
+                damping = if damping > LEAST_DAMPING { 0.1 * damping } else { 0.0 };
+            } else {
+                damping = (10.0 * damping).max(LEAST_DAMPING);
+            }
+        }
+        found.pressure
+    }
+
+    /// Computes the sum Σ_{j ≥ i} Gᵢⱼ pⱼ at each node i, with the flexibility matrix G of the ground and the pressure p.
+    fn settlement_behind(&self, pressure: &[f64]) -> Vec<f64> {
+        let mut behind = vec![0.0; pressure.len()];
+        let mut carried = 0.0;
+        for i in (0..pressure.len()).rev() {
+            behind[i] = self.ground.diagonal[i] * pressure[i] + carried;
+            carried = self.ground.leftward[i] * behind[i];
+        }
+        behind
+    }
+
+    /// Computes the pressure after one sweep, if `w` is the deflection. `behind` is the
+    /// [`settlement_behind`](Self::settlement_behind) for the pressure `before` this sweep.
+    fn swept(&self, w: &[f64], before: &[f64], behind: &[f64]) -> Swept {
+        let Iteration { ground, beam, rho, gap, .. } = self;
+        let count = beam.motions.len();
+        let mut pressure = vec![0.0; before.len()];
+        let mut balance = beam.wanted.clone();
+        let mut slope = vec![vec![0.0; count]; count];
+        // Σ_{j < i} Gᵢⱼ pⱼ at node i for the new pressure p, and its derivatives with respect to the amplitudes of the
+        // rigid motions.
+        let mut ahead = 0.0;
+        let mut ahead_by = vec![0.0; count];
+        for i in 0..before.len() {
+            ahead *= ground.rightward[i];
+            ahead_by.iter_mut().for_each(|a| *a *= ground.rightward[i]);
+            let value = before[i] - rho[i] * (ahead + behind[i] + gap[i] - w[i]);
+            // The new nodal pressure is the positive part of `value`, (5.13) of Kikuchi's paper.
+            if value <= 0.0 {
+                continue;
+            }
+            pressure[i] = value;
+            ahead += ground.diagonal[i] * value;
+            for k in 0..count {
+                let derivative = rho[i] * (beam.motions[k][i] - ahead_by[k]);
+                ahead_by[k] += ground.diagonal[i] * derivative;
+                balance[k] -= value * beam.motions[k][i];
+                for (row, motion) in slope.iter_mut().zip(&beam.motions) {
+                    row[k] += motion[i] * derivative;
+                }
+            }
+        }
+        Swept { pressure, balance, slope }
+    }
+}
+
+/// The result of a sweep for given amplitudes of the rigid motions.
+struct Swept {
+    pressure: Vec<f64>,
+    /// Work of the loads minus work of the pressure in each rigid motion. It is zero in equilibrium.
+    balance: Vec<f64>,
+    /// Derivative of the work of the pressure in each rigid motion (rows) with respect to each amplitude (columns).
+    slope: Vec<Vec<f64>>,
+}
+
+impl Swept {
+    /// Sum of the squares of all balances, each relative to the scale of its rigid motion.
+    fn imbalance(&self, whole: &[f64]) -> f64 {
+        self.balance.iter().zip(whole).map(|(b, whole)| b * b / whole).sum()
+    }
+}
+
+/// Solves (`slope` + `damping`·diag(`whole`))·step = `balance` by Gaussian elimination. With few nodes in contact, `slope`
+/// is singular. A pivot of rounding size is then replaced. The symmetric part of `slope` is positive semidefinite, so no
+/// rows have to be exchanged.
+fn newton(swept: &Swept, whole: &[f64], damping: f64) -> Vec<f64> {
+    let (mut step, mut slope) = (swept.balance.clone(), swept.slope.clone());
+    let n = step.len();
+    for k in 0..n {
+        let (above, rest) = slope.split_at_mut(k);
+        let row = &mut rest[0];
+        row[k] += damping * whole[k];
+        let diagonal = row[k];
+        for (j, other) in above.iter().enumerate() {
+            let factor = row[j] / other[j];
+            for m in j..n {
+                row[m] -= factor * other[m];
+            }
+            step[k] -= factor * step[j];
+        }
+        if row[k] <= 1e-12 * diagonal.max(1e-12 * whole[k]) {
+            row[k] = LEAST_DAMPING * whole[k];
         }
     }
-    let d = determinant(&s);
-    [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|m| slope[k][m] * step[m]).sum();
+        step[k] = (step[k] - known) / slope[k][k];
+    }
+    step
 }
 
 /// Computes the residual of the contact condition (5.10): the largest change of a nodal pressure, relative to the
@@ -205,158 +266,20 @@ fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     if worst == 0.0 { 0.0 } else { worst / largest }
 }
 
-/// Returns the element of the beam in a cell, without the stiffness of the ground.
-fn element(cell: &Cell, axial_force: f64) -> ExactElement {
-    ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
-}
-
-/// The beam without ground. Additional pins prevent its free rigid motions. These pins carry no force if the pressure
-/// balances the loads.
-struct FreeBeam<'a> {
-    mesh: &'a Mesh,
-    chain: Chain,
-    /// Number of rigid motions that only the ground prevents.
-    free: usize,
-    /// Deflections of the free rigid motions at the nodes.
-    motions: Vec<[f64; 2]>,
-    /// Work of the loads in each of the `free` rigid motions; the other entries are 0.
-    wanted: [f64; 2],
-    /// Sum of the magnitudes of the vertical loads \[N\].
-    size: f64,
-}
-
-impl<'a> FreeBeam<'a> {
-    fn of(mesh: &'a Mesh) -> Self {
-        let last = mesh.nodes.len() - 1;
-        let l = mesh.nodes[last].x;
-        let turning_held = mesh.axial_force != 0.0
-            || mesh.nodes.iter().any(|n| n.clamped || n.rotational_spring > 0.0);
-        let held: Vec<f64> =
-            mesh.nodes.iter().filter(|n| n.pinned || n.spring > 0.0).map(|n| n.x).collect();
-        type Motion = Box<dyn Fn(f64) -> [f64; 2]>;
-        // The number of free rigid motions, the nodes that are pinned to prevent these motions, and the motions as
-        // functions of x depend on the supports.
-        let (free, pins, motion): (usize, Vec<usize>, Motion) =
-            match (held.as_slice(), turning_held) {
-                ([], false) => (2, vec![0, last], Box::new(move |x| [1.0 - x / l, x / l])),
-                ([], true) => (1, vec![0], Box::new(|_| [1.0, 0.0])),
-                ([at], false) => {
-                    let at = *at;
-                    let pin = if at > 0.5 * l { 0 } else { last };
-                    (1, vec![pin], Box::new(move |x| [(x - at) / l, 0.0]))
-                }
-                _ => (0, Vec::new(), Box::new(|_| [0.0; 2])),
-            };
-        let nodes = mesh.nodes.iter().enumerate().map(|(i, n)| ChainNode {
-            force: n.force,
-            moment: n.moment,
-            pinned: n.pinned || pins.contains(&i),
-            settlement: n.settlement,
-            clamped: n.clamped,
-            spring: n.spring,
-            rotational_spring: n.rotational_spring,
-            ..ChainNode::default()
-        });
-        let nodes: Vec<ChainNode> = nodes.collect();
-        let cells: Vec<ChainCell> = mesh
-            .cells
-            .iter()
-            .map(|c| ChainCell { element: element(c, mesh.axial_force).element, open: None })
-            .collect();
-        let meeting = nodes.iter().position(|n| n.pinned || n.spring > 0.0).unwrap_or(0);
-        let chain = Chain { nodes, cells, meeting };
-        let motions: Vec<[f64; 2]> = mesh.nodes.iter().map(|n| motion(n.x)).collect();
-        let (wanted, size) = work_of_loads(mesh, &chain, &motions);
-        FreeBeam { mesh, chain, free, motions, wanted, size }
-    }
-
-    fn shapes(&self, pressure: &[f64]) -> Vec<[f64; 4]> {
-        let mut chain = self.chain.clone();
-        for (node, p) in chain.nodes.iter_mut().zip(pressure) {
-            node.force -= p;
-        }
-        let nothing = vec![[f64::NAN; 4]; self.mesh.cells.len()];
-        chain.solve().unwrap_or(nothing)
-    }
-
-    /// Computes the deflection w at the nodes by (5.16) of Kikuchi's paper, without the free rigid motions.
-    fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
-        let shapes = self.shapes(pressure);
-        let mut w: Vec<f64> = shapes.iter().map(|v| v[0]).collect();
-        let end = shapes.last().zip(self.mesh.cells.last());
-        w.extend(end.map(|(v, cell)| v[0] + cell.length() * v[1] + v[2]));
-        w
-    }
-
-    /// Bounds the norm of the beam's flexibility matrix: by the largest row sum if all entries are positive (no
-    /// supports), otherwise by the trace.
-    fn largest_flexibility(&self) -> f64 {
-        let mut unloaded = self.chain.clone();
-        for node in &mut unloaded.nodes {
-            (node.force, node.moment, node.settlement) = (0.0, 0.0, 0.0);
-        }
-        for cell in &mut unloaded.cells {
-            cell.element.load = [0.0; 4];
-        }
-        let own = FreeBeam { chain: unloaded, motions: Vec::new(), ..*self };
-        let n = self.mesh.nodes.len();
-        if self.free == 2 {
-            let all = own.deflection(&vec![-1.0; n]);
-            return all.into_iter().fold(0.0, f64::max);
-        }
-        let mut trace = 0.0;
-        let mut one = vec![0.0; n];
-        for i in 0..n {
-            one[i] = -1.0;
-            trace += own.deflection(&one)[i];
-            one[i] = 0.0;
-        }
-        trace
-    }
-}
-
-/// Computes the work of the loads in each of the rigid motions `motions`, and the sum of the magnitudes of the vertical
-/// loads.
-fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2], f64) {
-    let mut work = [0.0; 2];
-    let mut size = 0.0;
-    for (i, node) in mesh.nodes.iter().enumerate() {
-        let other = if i == 0 { 1 } else { i - 1 };
-        let run = node.x - mesh.nodes[other].x;
-        for k in 0..2 {
-            let slope = (motions[i][k] - motions[other][k]) / run;
-            work[k] += node.force * motions[i][k] + node.moment * slope;
-        }
-        size += node.force.abs();
-    }
-    for (i, (cell, element)) in mesh.cells.iter().zip(&chain.cells).enumerate() {
-        let q = element.element.load;
-        for k in 0..2 {
-            let slope = (motions[i + 1][k] - motions[i][k]) / cell.length();
-            work[k] += q[0] * motions[i][k] + q[1] * slope;
-        }
-        size += q[0].abs();
-    }
-    (work, size)
-}
-
 /// Converts the pressure and the rigid motion of the converged iteration to a [`ContactState`].
 fn found(
     mesh: Mesh,
     ground: &Flexibility,
     beam: &FreeBeam,
     pressure: &[f64],
-    rigid: [f64; 2],
+    rigid: &[f64],
     history: Vec<Step>,
 ) -> ContactState {
     let mut shapes = beam.shapes(pressure);
+    let moved = beam.moved(&vec![0.0; mesh.nodes.len()], rigid);
     for (i, v) in shapes.iter_mut().enumerate() {
-        let [a, b] = [beam.motions[i], beam.motions[i + 1]];
-        let h = mesh.cells[i].length();
-        for k in 0..2 {
-            v[0] += rigid[k] * a[k];
-            v[1] += rigid[k] * (b[k] - a[k]) / h;
-        }
+        v[0] += moved[i];
+        v[1] += (moved[i + 1] - moved[i]) / mesh.cells[i].length();
     }
     let (mut coefficients, mut rotation) = (Vec::new(), Vec::new());
     for (v, cell) in shapes.iter().zip(&mesh.cells) {

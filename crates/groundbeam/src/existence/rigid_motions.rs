@@ -22,7 +22,17 @@ impl Mechanism {
     /// Returns the nodes, and the constraints on upward motions of the beam. Any axial force counts as a constraint on
     /// the rotation of every piece. A support that only pushes up is not a constraint.
     pub fn of(model: &Model) -> Self {
-        let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
+        Self::under_axial_force(model, |acts| acts != Acts::Up)
+    }
+
+    /// Returns the nodes, and the constraints on the motions of the beam if every support acts in both directions. Any
+    /// axial force counts as a constraint on the rotation of every piece.
+    pub fn on_all_supports(model: &Model) -> Self {
+        Self::under_axial_force(model, |_| true)
+    }
+
+    fn under_axial_force(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
+        let mut mechanism = Self::on_supports(model, counts);
         if model.beam.axial_force != 0.0 {
             mechanism.straight.fill(true);
         }
@@ -98,6 +108,41 @@ impl Mechanism {
         groups
     }
 
+    /// Returns the weights of the values at the nodes in the value at x of a motion.
+    pub fn weights_at(&self, x: f64) -> [(usize, f64); 2] {
+        let piece = self.piece_at(x);
+        let [from, to] = [self.nodes[piece], self.nodes[piece + 1]];
+        let share = if self.is_at(x, piece) {
+            0.0
+        } else if self.is_at(x, piece + 1) {
+            1.0
+        } else {
+            (x - from) / (to - from)
+        };
+        [(piece, 1.0 - share), (piece + 1, share)]
+    }
+
+    /// Returns the constraints on the values at the nodes of a rigid motion, from left to right, one row each: zero at
+    /// the held positions, and equal values at both nodes of a piece that cannot rotate.
+    pub fn constraints(&self) -> Vec<Vec<f64>> {
+        let row = |entries: [(usize, f64); 2]| {
+            let mut row = vec![0.0; self.nodes.len()];
+            for (node, weight) in entries {
+                row[node] = weight;
+            }
+            row
+        };
+        let mut rows = Vec::new();
+        for piece in 0..self.straight.len() {
+            if self.straight[piece] {
+                rows.push(row([(piece, 1.0), (piece + 1, -1.0)]));
+            }
+            let held = self.held.iter().filter(|x| self.piece_at(**x) == piece);
+            rows.extend(held.map(|x| row(self.weights_at(*x))));
+        }
+        rows
+    }
+
     /// Returns the position of the first support that restrains the deflection. Without such a support, returns
     /// the first position in `more`, if any.
     pub fn point_held(&self, more: &[f64]) -> Option<f64> {
@@ -146,7 +191,7 @@ pub(crate) fn held_rigidly(model: &Model) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::model::{Beam, Foundation, Hinge, Support};
 
@@ -208,7 +253,7 @@ mod tests {
 
     /// Returns all mechanisms of up to three pieces, for every set of supports at a few positions and every set
     /// of pieces that cannot rotate.
-    fn mechanisms() -> Vec<Mechanism> {
+    pub(crate) fn mechanisms() -> Vec<Mechanism> {
         let mut all = Vec::new();
         for hinges in [vec![], vec![4.0], vec![2.0, 4.0]] {
             let nodes = Mechanism::of(&beam(&hinges)).nodes;
@@ -226,27 +271,9 @@ mod tests {
         all
     }
 
-    /// Returns the constraints on the nodal values of a rigid motion, one row each: zero at the held positions, and
-    /// equal values at both nodes of a piece that cannot rotate.
-    fn constraints(of: &Mechanism) -> Vec<Vec<f64>> {
-        let row = |entries: &[(usize, f64)]| {
-            let mut row = vec![0.0; of.nodes.len()];
-            entries.iter().for_each(|(i, a)| row[*i] += a);
-            row
-        };
-        let at = |x: f64| {
-            let i = (1..of.nodes.len() - 1).take_while(|i| of.nodes[*i] <= x).count();
-            let t = (x - of.nodes[i]) / (of.nodes[i + 1] - of.nodes[i]);
-            row(&[(i, 1.0 - t), (i + 1, t)])
-        };
-        let straight = (0..of.straight.len()).filter(|i| of.straight[*i]);
-        let even = straight.map(|i| row(&[(i, 1.0), (i + 1, -1.0)]));
-        of.held.iter().map(|x| at(*x)).chain(even).collect()
-    }
-
     /// Returns the rank of a matrix by Gaussian elimination. The entries of the matrix are simple fractions, so a pivot
     /// below 10⁻⁹ is a rounding error and counts as zero.
-    fn rank(mut rows: Vec<Vec<f64>>) -> usize {
+    pub(crate) fn rank(mut rows: Vec<Vec<f64>>) -> usize {
         let mut rank = 0;
         for column in 0..rows.first().map_or(0, Vec::len) {
             let size = |row: &Vec<f64>| row[column].abs();
@@ -274,7 +301,7 @@ mod tests {
     #[test]
     fn the_first_free_piece_follows_from_the_rank_of_the_constraints() {
         for of in mechanisms() {
-            let rows = constraints(&of);
+            let rows = of.constraints();
             let own = rank(rows.clone());
             let moves = |node: usize| {
                 let mut unit = vec![0.0; of.nodes.len()];
@@ -296,7 +323,7 @@ mod tests {
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {
-            let rows = constraints(&of);
+            let rows = of.constraints();
             let is_free = |lift: u32| {
                 let r = |i: usize| f64::from(lift >> i & 1);
                 rows.iter()

@@ -23,12 +23,6 @@ pub(crate) const NODAL_ON_ITERATED_GROUND: Refusal = Refusal {
     hint: "use the method `exact` or `active-set`, or give k and mu",
 };
 
-pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
-    code: "GB607",
-    message: "the iteration (5.14)–(5.18) of Kikuchi's paper does not support hinges",
-    hint: "use the method `exact` or `active-set`",
-};
-
 pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
     code: "GB611",
     message: "this compression exceeds the buckling load of the beam without ground; only the method `exact` supports it",

@@ -45,7 +45,7 @@ pub(super) fn find(
             };
             let from_bilateral = options.start == Start::Bilateral;
             let grid = Grid::new(model, elements, Ground::Nodal);
-            uzawa::solve(&grid, relaxation, from_bilateral, options.most_sweeps, cancel)
+            uzawa::solve(model, &grid, relaxation, from_bilateral, options.most_sweeps, cancel)
                 .map_err(stalled)
         }
     }

@@ -341,7 +341,7 @@ mod tests {
     fn every_loop_checks_the_flag() {
         let (model, never, now) = (long(), Cancel::default(), cancelled());
         let grid = Grid::new(&model, 100, Ground::Nodal);
-        let sweeps = |cancel| uzawa::solve(&grid, Relaxation::Diagonal, true, 3, cancel);
+        let sweeps = |cancel| uzawa::solve(&model, &grid, Relaxation::Diagonal, true, 3, cancel);
         assert_eq!(sweeps(&never).map_err(|stalled| stalled.iterations).err(), Some(3));
         assert_eq!(sweeps(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
         let on_mesh = |cancel| nodes::solve(&model, 100, cancel);
