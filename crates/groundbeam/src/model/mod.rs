@@ -14,7 +14,7 @@ mod profile;
 pub(crate) mod refused;
 pub(crate) mod rules;
 pub(crate) mod soil;
-mod support;
+pub(crate) mod support;
 mod train;
 
 use self::soil::GroundConstants;
