@@ -150,7 +150,7 @@ fn a_model_that_needs_more_memory_than_the_limit_is_refused_at_once() {
 }
 
 /// A heavy beam in compression that needs the support of the ground.
-const PRESSED: &str = "\
+pub(crate) const PRESSED: &str = "\
 [beam]
 length = 5
 EI = 1

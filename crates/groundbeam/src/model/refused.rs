@@ -13,13 +13,13 @@ pub(crate) struct Refusal {
 
 pub(crate) const NODAL_ON_ONE_WAY_SUPPORTS: Refusal = Refusal {
     code: "GB604",
-    message: "the nodal method does not support supports that act in one direction only",
+    message: "the nodal method does not solve beams on supports that act in one direction only",
     hint: "use the method `exact` or `active-set`",
 };
 
 pub(crate) const NODAL_ON_ITERATED_GROUND: Refusal = Refusal {
     code: "GB605",
-    message: "the nodal method does not support the modified Vlasov model, whose ground constants depend on the solution",
+    message: "the nodal method does not solve the modified Vlasov model, whose ground constants depend on the solution",
     hint: "use the method `exact` or `active-set`, or give k and mu",
 };
 
