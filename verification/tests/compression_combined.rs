@@ -44,6 +44,27 @@ fn pinned_beams_with_shear_deformation_buckle_at_the_load_of_engesser() {
     }
 }
 
+/// If k > S²/EI, the buckling load of short waves decreases to S + μ as the waves get shorter. The beam is stable until
+/// it has lost its shear stiffness.
+#[test]
+fn a_pinned_beam_on_stiff_ground_is_stable_until_its_shear_stiffness_is_lost() {
+    let (l, mu, shear, q) = (4.0, 0.2, 0.5, 0.7);
+    for (ei, k) in [(2.0, 3.0), (1.0, 0.3)] {
+        let model = Model::new(
+            Beam::uniform(l, ei).with_shear_stiffness(shear),
+            Foundation::pasternak(k, mu),
+        )
+        .with_load(Load::uniform_force(0.0, l, q))
+        .with_support(Support::pinned(0.0))
+        .with_support(Support::pinned(l))
+        .with_gap(0.0, -q / k)
+        .with_gap(l, -q / k);
+        for compression in [0.9 * (shear + mu), (1.0 - 1e-9) * (shear + mu), 2.0 * (shear + mu)] {
+            near(critical(&compressed(&model, compression)), shear + mu, 1e-9);
+        }
+    }
+}
+
 /// A beam so flexible in shear that its critical wave length tends to zero: it buckles at S + μ.
 #[test]
 fn a_beam_flexible_in_shear_buckles_at_its_ends() {

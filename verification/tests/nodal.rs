@@ -4,8 +4,8 @@
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, NodalSolution, NodalSolver,
-    Options, Outcome, Solution, Support, model::Acts, model::Part, model::Profile, solution::Side,
-    solve, solve_with,
+    Options, Outcome, Solution, Support, model::Acts, model::Part, model::Profile,
+    solution::Reaction, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::cases;
 use groundbeam_verification::random::{Family, model};
@@ -136,10 +136,13 @@ fn the_nodal_solution_is_that_of_active_set() {
             };
             for node in 0..found.deflection.len() {
                 let fields = expected.at(found.position(node), Side::Right);
-                let [w, turn] = [fields.deflection, fields.rotation];
-                let w = (found.deflection[node] - w).abs() / scale(Field::Deflection);
-                let turn = (found.slope[node] - turn).abs() / scale(Field::Rotation);
-                assert!(w < 1e-10 && turn < 1e-10, "{node} of {elements}: {w:e} {turn:e}");
+                let off = |found: &[f64], expected: f64, field: Field| {
+                    let off = (found[node] - expected).abs();
+                    assert!(off < 1e-10 * scale(field), "{field:?} {node} of {elements}: {off:e}");
+                };
+                off(&found.deflection, fields.deflection, Field::Deflection);
+                off(&found.rotation, fields.rotation, Field::Rotation);
+                off(&found.settlement, fields.settlement, Field::Settlement);
             }
             assert_eq!(found.reactions.len(), model.supports.len());
             let [force, moment] = [Field::ShearForce, Field::Moment].map(scale);
@@ -217,6 +220,45 @@ fn scaled_loads_and_reused_memory_give_the_same_bits() {
     assert_eq!(once.contact, again.contact);
     for (a, b) in [(&once.deflection, &again.deflection), (&once.force, &again.force)] {
         assert!(a.iter().zip(b).all(|(a, b)| (2.0 * a).to_bits() == b.to_bits()));
+    }
+}
+
+/// A cantilever whose support lifts it off the ground, solved in memory that holds another solution.
+#[test]
+fn a_lifted_cantilever_leaves_the_ground_level() {
+    let lifted = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
+        .with_support(Support::fixed(0.0).settled(-1.0))
+        .with_load(Load::point_force(0.5, 0.1));
+    let mut found = nodal(&kikuchi(0.1), 10);
+    NodalSolver::new().solve_into(&lifted, 10, &mut found).expect("an answer");
+    assert!(found.contact.is_empty());
+    assert!(found.settlement.iter().all(|u| *u == 0.0));
+    let [reaction] = found.reactions[..] else { panic!("{:?}", found.reactions) };
+    assert!((reaction.force - 0.1).abs() < 1e-14 && (reaction.moment + 0.05).abs() < 1e-14);
+    assert!((found.deflection[10] + 1.0 - 0.1 * (0.125 / 3.0 + 0.125 / 2.0)).abs() < 1e-14);
+}
+
+/// The force of a very stiff spring is that of a pin. It follows from equilibrium, because the rounding error of the
+/// deflection times the stiffness is larger than the loads.
+#[test]
+fn a_very_stiff_spring_has_the_reaction_of_a_pin() {
+    let at_nodes = |model: &Model| nodal(model, 1000).reactions[0];
+    let exactly = |model: &Model| equilibrium(solve(model).expect("an answer")).reactions()[0];
+    // With stiffer springs, the certificate of the exact solution is larger than its limit.
+    let ways = [(&at_nodes as &dyn Fn(&Model) -> Reaction, 1e20), (&exactly, 1e12)];
+    for (of, most) in ways {
+        let on = |support: Support| of(&long_beam(0.5).with_support(support));
+        let (pin, clamp) = (on(Support::pinned(20.0)), on(Support::fixed(20.0)));
+        for stiffness in [1e10, 1e12, 1e16, 1e20].into_iter().filter(|k| *k <= most) {
+            let spring = on(Support::spring(20.0, stiffness, 0.0));
+            let clamped = on(Support::spring(20.0, stiffness, stiffness));
+            let off = [
+                spring.force / pin.force,
+                clamped.force / clamp.force,
+                clamped.moment / clamp.moment,
+            ];
+            assert!(off.iter().all(|ratio| (ratio - 1.0).abs() < 1e-9), "{stiffness}: {off:?}");
+        }
     }
 }
 

@@ -106,7 +106,7 @@ impl NodalSolver {
         let workspace = &mut self.workspace;
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
             std::mem::swap(&mut workspace.deflection, &mut into.deflection);
-            std::mem::swap(&mut workspace.slope, &mut into.slope);
+            std::mem::swap(&mut workspace.slope, &mut into.rotation);
             std::mem::swap(&mut workspace.force, &mut into.force);
         };
         let Some(grid) = self.grids.pop() else { return Err(stalled(0)) };
@@ -126,6 +126,9 @@ impl NodalSolver {
         into.grid = Some(grid);
         let check = check::check(model, into);
         into.check = Some(check);
+        if let Some(grid) = &into.grid {
+            open::add_free_field(grid, &mut into.settlement);
+        }
         if check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
@@ -151,7 +154,7 @@ impl NodalSolver {
         workspace.solve_bonded(&grid, None).map_err(|_| stalled(1))?;
         into.reactions = reactions::reactions(model, &grid, workspace);
         std::mem::swap(&mut workspace.deflection, &mut into.deflection);
-        std::mem::swap(&mut workspace.slope, &mut into.slope);
+        std::mem::swap(&mut workspace.slope, &mut into.rotation);
         std::mem::swap(&mut workspace.force, &mut into.force);
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;

@@ -38,7 +38,7 @@ impl Method {
 pub struct Options {
     /// The method.
     pub method: Method,
-    /// Number of equal elements for the methods with a mesh. Parts of the model add nodes. [`Method::ActiveSet`]
+    /// Number of equal elements for the methods with a mesh. Parts of the model add nodes. A method with a mesh
     /// doubles the number where *How accurate a mesh is* in docs/methods.md requires it.
     pub elements: usize,
     /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].

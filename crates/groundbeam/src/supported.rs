@@ -9,7 +9,7 @@
 
 use crate::error::Error;
 use crate::model::refused::{self, Refusal};
-use crate::model::soil::Soil;
+use crate::model::soil::SoilModel;
 use crate::model::{Model, Part, Problem, Support};
 use crate::options::{Method, Options};
 
@@ -85,8 +85,8 @@ impl Feature {
                 support.map(|support| (Part::Support(support), "acts"))
             }
             Feature::IteratedGround => {
-                let soil = model.foundation.soil.as_ref()?;
-                let is_iterated = matches!(soil.soil, Soil::ModifiedVlasov(_));
+                let soil = model.foundation.soil.as_ref();
+                let is_iterated = soil.is_some_and(SoilModel::follows_solution);
                 is_iterated.then_some((Part::Foundation, "soil"))
             }
         }

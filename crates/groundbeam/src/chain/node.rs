@@ -2,6 +2,7 @@
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
+use crate::mesh::mesh::Node;
 
 /// A cell of the mesh: its beam element, and the ground under the element if this ground is not in contact
 /// (open ground).
@@ -39,6 +40,23 @@ pub(crate) struct ChainNode {
     /// Whether the surface unknown of the node is the settlement relative to the beam (u − w + gap) instead of the
     /// settlement u.
     pub from_beam: bool,
+}
+
+impl ChainNode {
+    /// Returns a node with the loads, the supports and the hinge of a node of a mesh, without ground.
+    pub fn of(node: &Node) -> Self {
+        ChainNode {
+            force: node.force,
+            moment: node.moment,
+            pinned: node.pinned,
+            settlement: node.settlement,
+            clamped: node.clamped,
+            spring: node.spring,
+            rotational_spring: node.rotational_spring,
+            hinge: node.hinge,
+            ..ChainNode::default()
+        }
+    }
 }
 
 /// Error for a stiffness matrix that is not positive definite: the elimination found a pivot ≤ 0.

@@ -28,19 +28,10 @@ pub(super) struct FreeBeam<'a> {
 impl<'a> FreeBeam<'a> {
     pub fn of(model: &Model, mesh: &'a Mesh) -> Self {
         let free = FreeMotions::of(model);
-        let pins: Vec<usize> = free.positions().map(|x| mesh.node_at(x)).collect();
-        let nodes = mesh.nodes.iter().enumerate().map(|(i, n)| ChainNode {
-            force: n.force,
-            moment: n.moment,
-            pinned: n.pinned || pins.contains(&i),
-            settlement: n.settlement,
-            clamped: n.clamped,
-            spring: n.spring,
-            rotational_spring: n.rotational_spring,
-            hinge: n.hinge,
-            ..ChainNode::default()
-        });
-        let nodes: Vec<ChainNode> = nodes.collect();
+        let mut nodes: Vec<ChainNode> = mesh.nodes.iter().map(ChainNode::of).collect();
+        for pin in free.positions().map(|x| mesh.node_at(x)) {
+            nodes[pin].pinned = true;
+        }
         let cells: Vec<ChainCell> = mesh
             .cells
             .iter()

@@ -88,21 +88,7 @@ impl Layout {
 
     /// Returns the nodes of the linear system, with their loads, supports and ground springs.
     pub fn nodes(&self, mesh: &Mesh) -> Vec<ChainNode> {
-        let mut nodes: Vec<ChainNode> = mesh
-            .nodes
-            .iter()
-            .map(|n| ChainNode {
-                force: n.force,
-                moment: n.moment,
-                pinned: n.pinned,
-                settlement: n.settlement,
-                clamped: n.clamped,
-                spring: n.spring,
-                rotational_spring: n.rotational_spring,
-                hinge: n.hinge,
-                ..ChainNode::default()
-            })
-            .collect();
+        let mut nodes: Vec<ChainNode> = mesh.nodes.iter().map(ChainNode::of).collect();
         // In contact, integration by parts converts the load from the free-field settlement u₀ to a distributed load
         // and the forces −μu₀′ and μu₀′ at the left and right end of a cell.
         for (i, cell) in mesh.cells.iter().enumerate() {

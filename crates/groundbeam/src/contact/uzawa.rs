@@ -1,7 +1,7 @@
 //! Solves the nodal problem by Uzawa's iteration, (5.14)–(5.18) of Kikuchi's paper, or by successive over-relaxation.
 //!
 //! The relaxation parameters follow from a bound of the beam's flexibility, so that the iteration converges. A sweep
-//! costs O(n) operations for n nodes. See section 9 of `docs/methods.md`.
+//! costs O(n r²) operations for n nodes and r free rigid motions. See section 9 of `docs/methods.md`.
 
 use super::free_beam::{FreeBeam, element};
 use super::surface::{PointForce, Surface};
@@ -281,12 +281,12 @@ fn found(
         v[0] += moved[i];
         v[1] += (moved[i + 1] - moved[i]) / mesh.cells[i].length();
     }
-    let (mut coefficients, mut rotation) = (Vec::new(), Vec::new());
+    let (mut coefficients, mut rotation, shears) = (Vec::new(), Vec::new(), mesh.shears());
     for (v, cell) in shapes.iter().zip(&mesh.cells) {
         let element = element(cell, mesh.axial_force);
         let (w, _) = element.unfold(v);
         coefficients.extend(w);
-        if mesh.shears() {
+        if shears {
             let own = element.rotation(v).map_or_else(|| turned(cell, &w), |own| own[..].into());
             rotation.extend_from_slice(&own.at_least(TERMS));
         }

@@ -1,8 +1,8 @@
 //! Follows the path of equilibria under increasing compression, from the equilibrium without compression.
 //!
 //! A [bonded solve](crate::contact::bonded) is a Newton step for the minimum of the energy. Its pivots show whether the
-//! second variation is positive. The path of stable equilibria ends at a limit point or at a bifurcation. See
-//! *Compression* in `docs/existence.md`.
+//! second variation is positive. The path of stable equilibria ends at a limit point, at a bifurcation, or where the beam
+//! loses its shear stiffness. See *Compression* in `docs/existence.md`.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -93,21 +93,23 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     let mut before: [Option<PathPoint>; 2] = [None, None];
     let mut step = FIRST * wanted;
     let mut failed = false;
+    let mut folding = folding_compression(model, &last.contact);
     let mut end = PathEnd::NotStable(last.active.clone());
     while step > LAST * if found.is_none() { wanted } else { last.compression }
         && !cancel.is_cancelled()
     {
-        let folding = folding_compression(model, &last.contact);
         let nearly_folding = (1.0 - BELOW_FOLDING) * folding;
-        if last.compression >= nearly_folding {
+        let ends_by_folding = found.is_some() || wanted >= folding;
+        if ends_by_folding && last.compression >= nearly_folding {
             last.compression = folding;
+            end = PathEnd::NotStable(last.active.clone());
             break;
         }
         let mut target = last.compression + step;
         if found.is_none() {
             target = target.min(wanted);
         }
-        if found.is_some() || wanted >= folding {
+        if ends_by_folding {
             target = target.min(nearly_folding);
         }
         if target > most {
@@ -122,6 +124,7 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
                 }
                 let [_, newer] = before;
                 before = [newer, Some(std::mem::replace(&mut last, state))];
+                folding = folding_compression(model, &last.contact);
                 if !failed {
                     step *= 2.0;
                 }

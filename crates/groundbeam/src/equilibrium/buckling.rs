@@ -15,8 +15,9 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// The search for a buckling load ends below the [folding compression](folding_compression), at this fraction of its
-/// distance from the model's compression. Closer to it, a solve needs more elements.
+/// A search for instability ends below the [compression that removes the shear stiffness](folding_compression). The
+/// remaining distance is this fraction of the distance from the model's compression for a buckling load, and this
+/// fraction of the compression itself for the path of equilibria. Closer to it, a solve needs more elements.
 pub(crate) const BELOW_FOLDING: f64 = 1e-8;
 
 /// Returns the buckling load \[N\] of a valid model without its ground. It is a lower bound, accurate to twelve digits,
@@ -64,8 +65,8 @@ pub(crate) fn folding_compression(model: &Model, contact: &[Interval]) -> f64 {
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     let folding = folding_compression(model, contact);
     let above = folding + model.beam.axial_force;
-    let enough =
-        if above > 0.0 && above.is_finite() { folding - BELOW_FOLDING * above } else { folding };
+    let distance = if above > 0.0 { above } else { folding };
+    let enough = if folding.is_finite() { folding - BELOW_FOLDING * distance } else { folding };
     least_unstable(model, enough, |compression| {
         is_stable_bonded(model, contact, compression, cancel)
     })
@@ -119,14 +120,8 @@ fn is_stable(model: &Model, compression: f64) -> bool {
         element: ExactElement::new(&operator(cell), cell.length()).element,
         open: None,
     };
-    let nodes = mesh.nodes.iter().map(|n| ChainNode {
-        pinned: n.pinned,
-        clamped: n.clamped,
-        spring: n.spring,
-        rotational_spring: n.rotational_spring,
-        hinge: n.hinge,
-        ..ChainNode::default()
-    });
+    // Stability does not depend on loads and settlements.
+    let nodes = mesh.nodes.iter().map(ChainNode::of);
     let cells: Vec<ChainCell> = mesh.cells.iter().map(cell).collect();
     let supported = mesh.nodes.iter().position(|n| n.clamped || n.pinned || n.spring > 0.0);
     let chain = Chain { nodes: nodes.collect(), cells, meeting: supported.unwrap_or(0) };

@@ -18,7 +18,7 @@ pub(crate) struct FreeMotions {
 
 impl FreeMotions {
     pub fn of(model: &Model) -> Self {
-        Self::of_mechanism(Mechanism::on_all_supports(model))
+        Self::of_mechanism(Mechanism::of(model))
     }
 
     /// Solves the constraints on the values at the nodes by Gaussian elimination. Each constraint determines the value

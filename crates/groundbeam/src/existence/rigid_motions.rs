@@ -22,17 +22,7 @@ impl Mechanism {
     /// Returns the nodes, and the constraints on upward motions of the beam. Any axial force counts as a constraint on
     /// the rotation of every piece. A support that only pushes up is not a constraint.
     pub fn of(model: &Model) -> Self {
-        Self::under_axial_force(model, |acts| acts != Acts::Up)
-    }
-
-    /// Returns the nodes, and the constraints on the motions of the beam if every support acts in both directions. Any
-    /// axial force counts as a constraint on the rotation of every piece.
-    pub fn on_all_supports(model: &Model) -> Self {
-        Self::under_axial_force(model, |_| true)
-    }
-
-    fn under_axial_force(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
-        let mut mechanism = Self::on_supports(model, counts);
+        let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
         if model.beam.axial_force != 0.0 {
             mechanism.straight.fill(true);
         }

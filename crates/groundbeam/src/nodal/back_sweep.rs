@@ -96,6 +96,10 @@ pub(super) fn unfold(
                 [back.w, back.turn, back.e[0] + back.e[1], back.e[1] * per_length];
             if let Some([by_w, by_turn, rest]) = stretch.turned {
                 back.turn = by_w * back.w + by_turn * back.turn + rest;
+                // At a hinge, the right side has the slope of the node.
+                if lane == 1 {
+                    fields.slope[stretch.node] = -back.turn;
+                }
             }
         }
     }

@@ -41,8 +41,8 @@ impl Sums {
 
 /// Sums of the forces and moments on the beam.
 struct Balance {
-    /// Middle of the beam.
-    middle: f64,
+    /// Length of the beam.
+    length: f64,
     /// Sum of the forces, positive downwards.
     force: f64,
     /// Sum of the moments about the middle of the beam, positive clockwise.
@@ -54,13 +54,13 @@ struct Balance {
 impl Balance {
     fn add_force(&mut self, force: f64, x: f64) {
         self.force += force;
-        self.moment += force * (x - self.middle);
+        self.moment += force * (x - 0.5 * self.length);
         self.size += force.abs();
     }
 
     fn add_moment(&mut self, moment: f64) {
         self.moment += moment;
-        self.size += moment.abs() / (2.0 * self.middle);
+        self.size += moment.abs() / self.length;
     }
 
     fn add_load(&mut self, load: &Load) {
@@ -82,8 +82,8 @@ impl Balance {
 }
 
 pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
-    let middle = 0.5 * model.beam.length;
-    let mut balance = Balance { middle, force: 0.0, moment: 0.0, size: 0.0 };
+    let length = model.beam.length;
+    let mut balance = Balance { length, force: 0.0, moment: 0.0, size: 0.0 };
     model.beam_loads().for_each(|load| balance.add_load(load));
     for reaction in &solution.reactions {
         balance.add_force(-reaction.force, reaction.at);
@@ -114,13 +114,13 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
         deepest = deepest.max(largest_of(&sums.depth));
         deflection = deflection.max(largest_of(&sums.deflection));
         balance.force -= sum;
-        balance.moment -= sum * (row.cell.x[0] - middle) + lever * row.h;
+        balance.moment -= sum * (row.cell.x[0] - 0.5 * length) + lever * row.h;
         balance.size += sums.size.iter().sum::<f64>();
     }
     let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };
     NodalCheck {
         force_balance: relative(balance.force.abs(), balance.size),
-        moment_balance: relative(balance.moment.abs(), balance.size * model.beam.length),
+        moment_balance: relative(balance.moment.abs(), balance.size * length),
         smallest_force: relative(smallest, largest),
         deepest_penetration: relative(deepest, deflection),
     }

@@ -81,6 +81,7 @@ pub(crate) fn settlement(
     contact: &[Zone],
     settlement: &mut Vec<f64>,
 ) {
+    settlement.clear();
     settlement.resize(grid.last() + 1, 0.0);
     let hull = Hull { grid, deflection, near: &[] };
     let mut before: Option<(usize, f64)> = None;
@@ -98,6 +99,16 @@ pub(crate) fn settlement(
         && to < grid.last()
     {
         ground(grid, [to, grid.last()], [Some(psi), None], settlement);
+    }
+}
+
+/// Adds the free-field settlement to the settlements at the nodes. Where it jumps, a node has that of its right side.
+pub(crate) fn add_free_field(grid: &Grid, settlement: &mut [f64]) {
+    for run in grid.runs.iter().filter(|run| run.cell.has_free_field()) {
+        settlement[run.first] += run.cell.free_field_at(-1.0)[0];
+    }
+    if let Some(run) = grid.runs.last() {
+        settlement[run.end()] += run.cell.free_field_at(1.0)[0];
     }
 }
 

@@ -1,7 +1,8 @@
-//! Computes the reactions of the supports from the equilibrium of the beam between the middles of the adjacent spans.
+//! Computes the reactions of the supports from the deflection at elastic supports, and from the equilibrium at rigid supports.
 //!
-//! Beside a rigid support, the deformation of the first element is a small difference of deflections. So the forces of
-//! the beam are taken from elements in the middles of the spans.
+//! The equilibrium is that of a part of the beam around the support. It has cuts on both sides of the support. Beside a
+//! rigid support, the deformation of the first element is a small difference of deflections. So the cuts are a few
+//! elements away from the support, if the span is long enough.
 
 use super::beam::Beam;
 use super::grid::Grid;
@@ -10,30 +11,97 @@ use crate::element::element::Element;
 use crate::model::support::Reaction;
 use crate::model::{Model, Support, SupportKind};
 
-/// Returns the reactions of the supports, in the order of the model, from the solution in the workspace. Sets the slope
-/// at each hinge to the slope on its right side.
-pub(crate) fn reactions(model: &Model, grid: &Grid, workspace: &mut Workspace) -> Vec<Reaction> {
-    if model.supports.is_empty() && model.hinges.is_empty() {
+/// Largest distance from a support to a cut, times the wave number. Over longer distances, the sum of the ground forces
+/// loses digits.
+const REACH: f64 = 3.0;
+
+/// Returns the reactions of the supports, in the order of the model, from the solution in the workspace.
+pub(crate) fn reactions(model: &Model, grid: &Grid, workspace: &Workspace) -> Vec<Reaction> {
+    if model.supports.is_empty() {
         return Vec::new();
     }
-    let Workspace { layout, deflection, slope, force, .. } = workspace;
-    let nodes = |positions: &mut dyn Iterator<Item = f64>| {
-        let mut nodes: Vec<usize> = positions.map(|x| grid.nearest(x)).collect();
-        nodes.sort_unstable();
-        nodes
+    let places: Vec<[Option<usize>; 2]> = cut_nodes(model, grid);
+    let cuts = cuts(grid, workspace, places.as_flattened());
+    let reaction = |(support, places): (&Support, &[Option<usize>; 2])| {
+        let node = grid.nearest(support.at);
+        let [w, turn] = [workspace.deflection[node], workspace.slope[node]];
+        let ends = places.map(|place| cuts.iter().find(|cut| Some(cut.place) == place));
+        let needed = || Needed::of(grid, workspace, support.at, ends);
+        let (force, moment) = match support.kind {
+            SupportKind::Pinned => (needed().force, 0.0),
+            SupportKind::Fixed => (needed().force, needed().moment),
+            SupportKind::Spring { spring, rotational_spring } => {
+                // The rounding error of the deflection, times the stiffness of a very stiff spring, can be larger than
+                // the rounding error of the equilibrium.
+                let needed = needed();
+                let is_soft = spring * needed.deflection <= needed.force_size;
+                let turns_softly = rotational_spring * needed.rotation <= needed.moment_size;
+                (
+                    if is_soft { spring * (w - support.settlement) } else { needed.force },
+                    if turns_softly { -rotational_spring * turn } else { needed.moment },
+                )
+            }
+        };
+        Reaction { at: support.at, force, moment }
     };
-    let held = nodes(&mut model.supports.iter().map(|support| support.at));
-    let hinges = nodes(&mut model.hinges.iter().map(|hinge| hinge.at));
-    let middles: Vec<usize> = held.windows(2).map(|s| s[0] + (s[1] - s[0]) / 2).collect();
-    let mut cuts = vec![Cut::default(); middles.len()];
-    // Each part of the beam has the unknowns `v` of its element.
+    model.supports.iter().zip(&places).map(reaction).collect()
+}
+
+/// Returns the nodes near which the beam is cut to the left and to the right of each support. `None` stands for the end
+/// of the beam, if the support is there.
+fn cut_nodes(model: &Model, grid: &Grid) -> Vec<[Option<usize>; 2]> {
+    let last = grid.last();
+    let mut held: Vec<usize> = model.supports.iter().map(|s| grid.nearest(s.at)).collect();
+    held.sort_unstable();
+    let reach = REACH / grid.wave_number();
+    let near = |x: f64, other: usize| {
+        let distance = (0.5 * (grid.x(other) - x)).clamp(-reach, reach);
+        grid.nearest(x + distance)
+    };
+    let places = |support: &Support| {
+        let node = grid.nearest(support.at);
+        let before = held.partition_point(|other| *other < node).checked_sub(1);
+        let before = before.map_or(0, |i| held[i]);
+        let after = held.get(held.partition_point(|other| *other <= node));
+        let after = after.copied().unwrap_or(last);
+        let left = (before < node).then(|| near(support.at, before).clamp(before, node - 1));
+        let right = (node < after)
+            .then(|| near(support.at, after).clamp((node + 1).min(after - 1), after - 1));
+        [left, right]
+    };
+    model.supports.iter().map(places).collect()
+}
+
+/// A cut through the beam just right of a node.
+#[derive(Debug, Clone, Copy)]
+struct Cut {
+    /// The node for which this cut is made. It lies in the element that begins at `node`.
+    place: usize,
+    node: usize,
+    /// Force of the beam left of the cut on the beam right of it, positive downwards.
+    force: f64,
+    /// Moment of the beam left of the cut on the beam right of it, positive clockwise.
+    moment: f64,
+}
+
+/// Cuts the beam at the left ends of the elements that contain the nodes `places`.
+fn cuts(grid: &Grid, workspace: &Workspace, places: &[Option<usize>]) -> Vec<Cut> {
+    let mut places: Vec<usize> = places.iter().copied().flatten().collect();
+    places.sort_unstable();
+    places.dedup();
+    let layout = &workspace.layout;
+    let mut cuts = Vec::with_capacity(places.len());
+    // The force and the moment are derivatives of the energy ½ vᵀKv − qᵀv of an element with the unknowns v.
     let mut visit = |[from, to]: [usize; 2], v: [f64; 4]| {
-        if hinges.binary_search(&from).is_ok() {
-            slope[from] = v[1];
-        }
-        let next = middles.partition_point(|middle| *middle < from);
-        for (cut, _) in cuts[next..].iter_mut().zip(&middles[next..]).take_while(|m| *m.1 < to) {
-            *cut = Cut::at_start(&element(grid, [from, to], grid.axial_force), v, from);
+        let next = places.partition_point(|place| *place < from);
+        for place in places[next..].iter().copied().take_while(|place| *place < to) {
+            let dot = |a: [f64; 4], b: [f64; 4]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let element = element(grid, [from, to], grid.axial_force);
+            let gradient: [f64; 4] =
+                std::array::from_fn(|i| dot(element.stiffness[i], v) - element.load[i]);
+            let [force, moment] =
+                [false, true].map(|rotates| dot(element.moved_end(false, rotates), gradient));
+            cuts.push(Cut { place, node: from, force, moment });
         }
     };
     layout.each_element(grid, |left, v| visit([left, left + 1], v));
@@ -44,85 +112,74 @@ pub(crate) fn reactions(model: &Model, grid: &Grid, workspace: &mut Workspace) -
             visit(piece.nodes, v);
         });
     }
-    let reaction = |support: &Support| {
-        let node = grid.nearest(support.at);
-        let order = held.partition_point(|other| *other < node);
-        let left = order.checked_sub(1).map(|span| cuts[span]);
-        let rigid = || needed(grid, force, deflection, support.at, left, cuts.get(order).copied());
-        let (force, moment) = match support.kind {
-            SupportKind::Pinned => (rigid()[0], 0.0),
-            SupportKind::Fixed => rigid().into(),
-            SupportKind::Spring { spring, rotational_spring } => {
-                let compression = deflection[node] - support.settlement;
-                (spring * compression, -rotational_spring * slope[node])
-            }
-        };
-        Reaction { at: support.at, force, moment }
-    };
-    model.supports.iter().map(reaction).collect()
+    cuts
 }
 
-/// A cut through the beam just right of a node.
-#[derive(Debug, Clone, Copy, Default)]
-struct Cut {
-    node: usize,
-    /// Force of the beam left of the cut on the beam right of it, positive downwards.
+/// Force and moment that a support must exert on the beam.
+struct Needed {
+    /// Force, positive upwards.
     force: f64,
-    /// Moment of the beam left of the cut on the beam right of it, positive clockwise.
+    /// Moment, positive clockwise.
     moment: f64,
+    /// Sum of the magnitudes of the forces that are in equilibrium with `force`.
+    force_size: f64,
+    /// Sum of the magnitudes of the moments that are in equilibrium with `moment`.
+    moment_size: f64,
+    /// Largest magnitude of the deflection between the cuts.
+    deflection: f64,
+    /// Largest magnitude of the rotation between the cuts.
+    rotation: f64,
 }
 
-impl Cut {
-    /// Returns the cut at the left end of an element with the unknowns `v`. The force and the moment are derivatives of
-    /// the energy ½ vᵀKv − qᵀv of the element.
-    fn at_start(element: &Element, v: [f64; 4], node: usize) -> Self {
-        let dot = |a: [f64; 4], b: [f64; 4]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let gradient: [f64; 4] =
-            std::array::from_fn(|i| dot(element.stiffness[i], v) - element.load[i]);
-        let [force, moment] =
-            [false, true].map(|rotates| dot(element.moved_end(false, rotates), gradient));
-        Cut { node, force, moment }
-    }
-}
-
-/// Returns the force (positive upwards) and the moment (positive clockwise) that a support at `x` must exert on the beam
-/// between two cuts. `None` stands for the end of the beam.
-fn needed(
-    grid: &Grid,
-    ground: &[f64],
-    deflection: &[f64],
-    x: f64,
-    left: Option<Cut>,
-    right: Option<Cut>,
-) -> [f64; 2] {
-    let from = left.map_or(0, |cut| cut.node);
-    let to = right.map_or(grid.last(), |cut| cut.node);
-    let is_inside = |node: usize| (from < node || left.is_none()) && node <= to;
-    // Sums of the forces, positive downwards, and of the moments about the support, positive clockwise.
-    let (mut force, mut moment) = (0.0, 0.0);
-    let mut add = |f: f64, at: f64, m: f64| {
-        force += f;
-        moment += f * (at - x) + m;
-    };
-    for (run, a, b) in grid.parts(from, to) {
-        let run = &grid.runs[run];
-        let [f, m, ..] = element(grid, [a, b], 0.0).load;
-        add(f, run.x(a), m);
-        (a..b)
-            .filter(|node| is_inside(*node))
-            .for_each(|node| add(-ground[node], run.x(node), 0.0));
-    }
-    add(-ground[to], grid.x(to), 0.0);
-    for (_, place) in grid.firsts().zip(&grid.nodes).filter(|(node, _)| is_inside(*node)) {
-        add(place.force, place.x, place.moment);
-    }
-    for (cut, sign) in [(left, 1.0), (right, -1.0)] {
-        if let Some(cut) = cut {
-            add(sign * cut.force, grid.x(cut.node), sign * cut.moment);
+impl Needed {
+    /// Computes what a support at `x` must exert on the beam between two cuts. `None` stands for the end of the beam.
+    fn of(grid: &Grid, workspace: &Workspace, x: f64, [left, right]: [Option<&Cut>; 2]) -> Self {
+        let Workspace { deflection, slope, force: ground, .. } = workspace;
+        let from = left.map_or(0, |cut| cut.node);
+        let to = right.map_or(grid.last(), |cut| cut.node);
+        let is_inside = |node: usize| (from < node || left.is_none()) && node <= to;
+        let largest =
+            |values: &[f64]| values[from..=to].iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let mut needed = Needed {
+            force: 0.0,
+            moment: 0.0,
+            force_size: 0.0,
+            moment_size: 0.0,
+            deflection: largest(deflection),
+            rotation: largest(slope),
+        };
+        // Adds a force at a position, positive downwards, and a moment, positive clockwise.
+        let mut add = |f: f64, at: f64, m: f64| {
+            let lever = f * (at - x);
+            needed.force += f;
+            needed.moment -= lever + m;
+            needed.force_size += f.abs();
+            needed.moment_size += lever.abs() + m.abs();
+        };
+        for (i, a, b) in grid.parts(from, to) {
+            let run = &grid.runs[i];
+            let [f, m, ..] = element(grid, [a, b], 0.0).load;
+            add(f, run.x(a), m);
+            for node in (a..b).filter(|node| is_inside(*node)) {
+                add(-ground[node], run.x(node), 0.0);
+            }
+            if a == run.first && is_inside(a) {
+                let place = &grid.nodes[i];
+                add(place.force, place.x, place.moment);
+            }
         }
+        add(-ground[to], grid.x(to), 0.0);
+        if let Some(place) = grid.place(to) {
+            add(place.force, place.x, place.moment);
+        }
+        for (cut, sign) in [(left, 1.0), (right, -1.0)] {
+            if let Some(cut) = cut {
+                add(sign * cut.force, grid.x(cut.node), sign * cut.moment);
+            }
+        }
+        add(0.0, x, grid.axial_force * (deflection[from] - deflection[to]));
+        needed
     }
-    add(0.0, x, grid.axial_force * (deflection[from] - deflection[to]));
-    [force, -moment]
 }
 
 /// Returns the element of the beam without ground between two nodes of a row, under an axial force.

@@ -12,7 +12,7 @@ pub struct NodalSolution {
     pub deflection: Vec<f64>,
     /// Rotation of the cross-sections at every node \[rad\]. It equals w' if the beam has no shear deformation. At a
     /// hinge, it is the rotation on the right side.
-    pub slope: Vec<f64>,
+    pub rotation: Vec<f64>,
     /// Settlement u of the ground at every node \[m\].
     pub settlement: Vec<f64>,
     /// Force of the ground on the beam at every node, positive upwards \[N\].

@@ -50,11 +50,11 @@ pub(crate) struct Span {
     pub whole: Element,
 }
 
-/// Index of the deflection d₁ at the node between two joined pieces, among the [six unknowns](self)
-/// (w, θ, D₁, D₂, d₁, t).
+/// Index of the eliminated deflection among the unknowns of two joined pieces, in place of d₁ in the
+/// [list of unknowns](self).
 const D: usize = 4;
-/// Index of the rotation t at the node between two joined pieces, among the [six unknowns](self)
-/// (w, θ, D₁, D₂, d₁, t).
+/// Index of the eliminated rotation among the unknowns of two joined pieces, in place of t in the
+/// [list of unknowns](self).
 const T: usize = 5;
 
 /// Largest rotational stiffness of a hinge and the beam before it that counts as zero, relative to the piece after the
@@ -169,6 +169,17 @@ impl Span {
     }
 }
 
+/// The deflection or rotation that is eliminated at the node between two joined pieces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Eliminated {
+    /// The deformation of the left piece.
+    Left,
+    /// The deformation of the right piece.
+    Right,
+    /// The displacement of the node.
+    Node,
+}
+
 /// Joins two elements at a node that may have loads, supports and a hinge. Writes to `piece` the coefficients
 /// of the back-substitution for the left element.
 fn join(
@@ -205,24 +216,40 @@ fn join(
         by[3] = share;
         piece.hinge = Some(Row { by, constant: row.constant });
     }
-    // The deformation of the stiffer one of the two joined elements is eliminated, separately for deflection and
-    // rotation. This avoids differences of large stiffnesses.
-    let by_left = [
-        stand.pinned || own.h[2][2] + stand.support > next.stiffness[2][2],
-        stand.clamped || own.h[3][3] + stand.turning > next.stiffness[3][3],
-    ];
+    // The stiffest of these three is eliminated, separately for deflection and rotation: the deformation of the left
+    // element, that of the right element, or the displacement of the node on its support. This avoids differences of
+    // large stiffnesses.
+    let stiffest = |left: f64, right: f64, support: f64| match () {
+        () if support > left.max(right) => Eliminated::Node,
+        () if left > right => Eliminated::Left,
+        () => Eliminated::Right,
+    };
+    let support = |held: bool, spring: f64| if held { f64::INFINITY } else { spring };
+    let [translation, rotation] =
+        [support(stand.pinned, stand.support), support(stand.clamped, stand.turning)];
+    let by_deflection = stiffest(own.h[2][2], next.stiffness[2][2], translation);
+    let by_rotation = stiffest(own.h[3][3], next.stiffness[3][3], rotation);
     let unit = |i: usize| std::array::from_fn(|j| f64::from(u8::from(i == j)));
     let combined = |a: [f64; 6], times: f64, b: [f64; 6]| -> [f64; 6] {
         std::array::from_fn(|j| a[j] + times * b[j])
     };
-    let (t, bend) = match by_left[1] {
-        true => (unit(T), combined(unit(3), -1.0, unit(T))),
-        false => (combined(unit(3), -1.0, unit(T)), unit(T)),
+    // Deformation of the left element, if the deformations of both elements add up to `sum`, and the left element moves
+    // the node by `rigid`.
+    let deformed = |by: Eliminated, unknown: usize, sum: [f64; 6], rigid: [f64; 6]| match by {
+        Eliminated::Left => unit(unknown),
+        Eliminated::Right => combined(sum, -1.0, unit(unknown)),
+        Eliminated::Node => combined(unit(unknown), -1.0, rigid),
+    };
+    let t = deformed(by_rotation, T, unit(3), unit(1));
+    let bend = match by_rotation {
+        Eliminated::Right => unit(T),
+        _ => combined(unit(3), -1.0, t),
     };
     let beyond = combined(unit(2), -l, t);
-    let (d1, sag) = match by_left[0] {
-        true => (unit(D), combined(beyond, -1.0, unit(D))),
-        false => (combined(beyond, -1.0, unit(D)), unit(D)),
+    let d1 = deformed(by_deflection, D, beyond, [1.0, h, 0.0, 0.0, 0.0, 0.0]);
+    let sag = match by_deflection {
+        Eliminated::Right => unit(D),
+        _ => combined(beyond, -1.0, d1),
     };
     let mut both = Quadratic::<6>::ZERO;
     both.add(&[unit(0), unit(1), d1, t], &own.h, &own.g);
@@ -234,12 +261,10 @@ fn join(
     let size = [D, T].map(|i| both.h[i][i]);
     let mut eliminated = [NONE; 2];
     if stand.pinned {
-        let by = [-1.0, -h, 0.0, 0.0, 0.0, 0.0];
-        eliminated[0] = Row { by, constant: stand.settlement };
+        eliminated[0].constant = stand.settlement;
         both.hold(D, eliminated[0]);
     }
     if stand.clamped {
-        eliminated[1] = Row { by: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], constant: 0.0 };
         both.hold(T, eliminated[1]);
     }
     if !stand.pinned {

@@ -87,19 +87,68 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     }
 }
 
+/// A sum, and the sum of the magnitudes of its terms. The rounding error is proportional to this size.
+struct Sum {
+    value: f64,
+    size: f64,
+}
+
+impl Sum {
+    fn add(&mut self, term: f64) {
+        self.value += term;
+        self.size += term.abs();
+    }
+
+    /// Returns this sum, or `other` if its terms are smaller.
+    fn or_if_smaller(self, other: impl FnOnce() -> Sum) -> f64 {
+        // Without a spring, this sum is exactly zero.
+        if self.size == 0.0 {
+            return self.value;
+        }
+        let other = other();
+        if other.size < self.size { other.value } else { self.value }
+    }
+}
+
+/// Bounds of the terms of the deflection and of the rotation in the pieces beside x.
+fn motion_sizes(candidate: &Candidate, x: f64) -> [f64; 2] {
+    let near = same_place(candidate.model.beam.length);
+    let is_end = |end: &f64| (end - x).abs() <= near;
+    let beside = candidate.pieces.iter().filter(|piece| piece.x.iter().any(is_end));
+    let mut sizes = [0.0_f64; 2];
+    for piece in beside {
+        let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
+        let slopes = piece.deflection.iter().enumerate().map(|(j, c)| j as f64 * c / piece.half);
+        let slopes: Vec<f64> = slopes.collect();
+        sizes[0] = sizes[0].max(size(&piece.deflection));
+        sizes[1] = sizes[1].max(size(&slopes));
+    }
+    sizes
+}
+
 /// Computes the reactions of the supports. Those of rigid supports follow from the equilibrium of the beam, and
-/// those of springs from the deflection and the rotation of the beam.
+/// those of springs from the deflection and the rotation of the beam. For a very stiff spring, the equilibrium has less
+/// rounding error.
 fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     let supports = &candidate.model.supports;
     let reaction = |support: &Support| {
         let x = support.at;
         let (force, moment) = match support.kind {
-            SupportKind::Pinned => (lift(candidate, x), 0.0),
-            SupportKind::Fixed => (lift(candidate, x), turn(candidate, x)),
+            SupportKind::Pinned => (lift(candidate, x).value, 0.0),
+            SupportKind::Fixed => (lift(candidate, x).value, turn(candidate, x).value),
             SupportKind::Spring { spring, rotational_spring } => {
                 let here = candidate.at(x, Side::Right);
                 let pressed = here.deflection - support.settlement;
-                (spring * pressed, -rotational_spring * here.rotation)
+                let [deflection, rotation] = motion_sizes(candidate, x);
+                let force = Sum { value: spring * pressed, size: spring * deflection };
+                let moment = Sum {
+                    value: -rotational_spring * here.rotation,
+                    size: rotational_spring * rotation,
+                };
+                (
+                    force.or_if_smaller(|| lift(candidate, x)),
+                    moment.or_if_smaller(|| turn(candidate, x)),
+                )
             }
         };
         Reaction { at: x, force, moment }
@@ -109,7 +158,7 @@ fn reactions(candidate: &Candidate) -> Vec<Reaction> {
 
 /// Force of a rigid support at x, from the equilibrium of the beam between the middles of the adjacent spans. The shear
 /// force is accurate there, but not near the support.
-fn lift(candidate: &Candidate, x: f64) -> f64 {
+fn lift(candidate: &Candidate, x: f64) -> Sum {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);
     let others = || model.supports.iter().map(|support| support.at);
@@ -137,28 +186,31 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
     };
     let near = same_place(l);
     let inside = |at: f64| from - near <= at && at <= to + near;
-    let mut force = after - before;
+    let mut force = Sum { value: 0.0, size: 0.0 };
+    force.add(after);
+    force.add(-before);
     for piece in pieces.get(first..end).unwrap_or_default() {
         let even = piece.pressure.iter().enumerate().step_by(2);
         let pressure: f64 = even.map(|(j, c)| c / (j + 1) as f64).sum();
         let [left, right] = piece.cell.load;
-        force += piece.half * (left + right - 2.0 * pressure);
+        force.add(piece.half * (left + right - 2.0 * pressure));
     }
     for load in &model.loads {
         if let Some((at, load)) = load.at_point(Action::Force)
             && inside(at)
         {
-            force += load;
+            force.add(load);
         }
     }
     let EndForces { left, right } = candidate.end_forces;
     let ends = [(0.0, left), (l, right)];
     let contact = candidate.concentrated.iter().map(|c| (c.at, c.force)).chain(ends);
-    force - contact.filter(|(at, _)| inside(*at)).map(|(_, force)| force).sum::<f64>()
+    contact.filter(|(at, _)| inside(*at)).for_each(|(_, ground)| force.add(-ground));
+    force
 }
 
 /// Moment of a fixed support at x: the jump of the bending moment at x minus the moment loads at x.
-fn turn(candidate: &Candidate, x: f64) -> f64 {
+fn turn(candidate: &Candidate, x: f64) -> Sum {
     let l = candidate.model.beam.length;
     let before = if x <= 0.0 { 0.0 } else { candidate.at(x, Side::Left).moment };
     let after = if x >= l { 0.0 } else { candidate.at(x, Side::Right).moment };
@@ -166,5 +218,9 @@ fn turn(candidate: &Candidate, x: f64) -> f64 {
         Some((at, moment)) if (at - x).abs() <= same_place(l) => moment,
         _ => 0.0,
     });
-    after - before - loads.sum::<f64>()
+    let mut moment = Sum { value: 0.0, size: 0.0 };
+    moment.add(after);
+    moment.add(-before);
+    loads.for_each(|load| moment.add(-load));
+    moment
 }

@@ -105,7 +105,9 @@ fn uncancelled(
                     && solution.certificate().relative_gap() > 1.0
             }
             Err(Error::NotConverged(stopped)) => {
-                matches!(stopped.why, NotConverged::Gap(_) | NotConverged::Supports)
+                let by_supports = stopped.why == NotConverged::Supports;
+                matches!(stopped.why, NotConverged::Gap(_))
+                    || by_supports && options.method == Method::ActiveSet
             }
             _ => false,
         };
