@@ -1,4 +1,4 @@
-//! Computes the ratios of errors of claimed answers to their proven bounds, and the energy of these errors.
+//! Computes the error of a claimed solution relative to its proven bound, and the energy of this error, from the exact solution.
 
 use groundbeam::proof::Proof;
 use groundbeam::{Field, Model, Solution, SupportKind};

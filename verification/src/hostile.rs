@@ -51,8 +51,8 @@ pub fn exercise(model: &Model) {
     }
 }
 
-/// Decides whether the model has an equilibrium. The memory limit applies if a model in compression needs a large
-/// mesh.
+/// Decides whether the model has an equilibrium. A model in compression is solved for this, with the memory limit
+/// [`MEMORY`].
 fn exists_within(model: &Model) -> Result<groundbeam::Existence, Error> {
     let large = memory_estimate(model, &Options::default()) > MEMORY;
     if model.beam.axial_force < 0.0 && large && model.problems().is_empty() {

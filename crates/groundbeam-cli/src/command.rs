@@ -397,7 +397,7 @@ impl Solve {
         self.pieces || self.proven
     }
 
-    /// Returns the first of the given options that applies only to a model with a single result.
+    /// Returns an option on the command line that requires a model with a single result; `None` without such an option.
     pub fn about_one_answer(&self) -> Option<&'static str> {
         let history = self.history.as_ref().map(|_| "--history");
         history.or(self.factors.as_ref().map(|_| "--factors"))

@@ -53,7 +53,7 @@ impl<'a> Beside<'a> {
 }
 
 impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Beside<'a> {
-    /// Uses the files on the disk, in this folder.
+    /// The files of a folder on the disk.
     fn from(folder: &'a P) -> Self {
         Beside { folder: folder.as_ref(), held: None }
     }

@@ -293,7 +293,7 @@ impl<C: Scalar> OpenPiece<C> {
             let here = Size::below_zero(value.low());
             let depth = here + lost;
             let found = depth <= deepest || depth <= negligible || depth <= rounding;
-            // `depth` is accepted if halving the interval would reduce it only slightly.
+            // The interval is not halved if this would reduce the depth only slightly.
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);
             if !enough && a < m && m < b && budget.take() {

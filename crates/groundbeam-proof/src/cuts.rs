@@ -70,8 +70,8 @@ mod tests {
             (&[1.5, 1.5, 0.5], &[0, 3]),
             (&[1.0; 4], &[0, 4]),
             (&[1.0; 5], &[0, 3, 5]),
-            // If a contact zone ends at the node, a length in contact of more than 1 between the previous cut and the
-            // node is enough.
+            // The beam is also cut at the end of a contact zone, if a length of more than 1 is in contact between the
+            // previous cut and this node.
             (&[1.5, -3.0, 1.5], &[0, 1, 3]),
             (&[1.0, -3.0, 1.5], &[0, 3]),
             (&[1.5, -3.0, 1.0], &[0, 3]),

@@ -66,8 +66,8 @@ impl<S: Scalar> Deflection<S> {
     }
 }
 
-/// Computes the admissible deflection. The pieces with a cubic correction are selected first. Then the
-/// corrections are computed from left to right.
+/// Computes a continuous deflection from the pieces of the claimed deflection. A cubic polynomial is added to some
+/// pieces. These pieces are selected first. Then the polynomials are computed from left to right.
 pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
     let claimed: Vec<_> = frame.spans.iter().map(Claimed::of).collect();
     let bends = bending(frame);

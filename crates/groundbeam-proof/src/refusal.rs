@@ -12,7 +12,7 @@ pub struct NotProven {
 }
 
 impl NotProven {
-    /// A reason without a position.
+    /// Creates a reason that refers to no position on the beam.
     pub fn new(what: impl Into<String>) -> Self {
         NotProven { what: what.into(), at: None }
     }

@@ -219,7 +219,7 @@ fn unknown_case(reader: &mut Reader, name: &str, span: Range<usize>, names: &[&s
     reader.unknown_word((name, span), NO_LOAD, names, case_names::otherwise(names));
 }
 
-/// Data of a file from which combinations are made.
+/// Loads and load cases of a model file, from which its load combinations are made.
 struct File<'a> {
     loads: &'a [Load],
     cases: &'a [Option<String>],

@@ -65,8 +65,8 @@ pub(crate) struct Set {
     formulas: Vec<Formula>,
 }
 
-/// One combination expression of a code. A combination may omit its variable actions. With `needs_first`, an action of
-/// the first term must act.
+/// One combination expression of a design code. A combination may omit variable actions of the expression. If
+/// `needs_first` is true, it has at least one action of the first term.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Formula {

@@ -137,8 +137,8 @@ fn the_energy_of_tensile_pressures_is_bounded() {
     assert!(sharpest > 0.9, "{sharpest}");
 }
 
-/// Checks a stiff beam that is held at the height w above the ground but claimed in contact. The bound of the error
-/// energy is at least ½w²(kl + 2√(kμ)), the energy of the claimed surface.
+/// Checks a stiff beam of length l that supports hold at the height w above the ground. The claim is that the ground
+/// follows the beam. The bound of the error energy is at least ½w²(kl + 2√(kμ)), the energy of the lifted ground.
 #[test]
 fn the_energy_of_a_surface_under_tension_is_bounded() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {

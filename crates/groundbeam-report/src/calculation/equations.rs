@@ -25,7 +25,7 @@ pub(super) fn static_reactions() -> Block {
     Block::Equations { lines: vec![line(formulas::REACTIONS, "", "(4.25)")] }
 }
 
-/// Inequality that bounds the error of a solution by the energy gap.
+/// The inequality between the error energy of a solution and the difference of its potential and dual energies.
 pub(super) fn energy_gap() -> Block {
     Block::Equations { lines: vec![line(formulas::ENERGY_GAP, "energy gap", "")] }
 }

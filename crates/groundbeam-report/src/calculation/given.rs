@@ -246,7 +246,7 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     Section::new("Assumptions and method", blocks)
 }
 
-/// Returns the section on the existence check, which is made before the solve.
+/// Returns the section of the report that shows whether an equilibrium exists, from the loads and supports alone.
 pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -> Section {
     let units = context.units;
     let mut blocks: Vec<Block> =

@@ -1,4 +1,4 @@
-//! Writes the verdict on beams with free hinges, where only a part of the beam may tip.
+//! Writes why a beam with free hinges has one equilibrium, several or none, from the tipping of its parts.
 
 use crate::quantity::Units;
 use groundbeam::{

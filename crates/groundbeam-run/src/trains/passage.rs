@@ -125,7 +125,7 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// Whether the passage has no train.
+    /// Whether the train has no axles and no uniform load.
     pub fn is_without_train(&self) -> bool {
         self.train().axles.is_empty() && self.train().uniform.is_empty()
     }

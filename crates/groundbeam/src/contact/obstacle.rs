@@ -308,8 +308,8 @@ impl Scan<'_> {
         span.right = Some(point);
     }
 
-    /// Finds the sign change of a concentrated force in a cell. `sense` is the sign at the right end. Bisection
-    /// replaces a Newton step that leaves the bracket or does not halve the force.
+    /// Finds the position in a cell at which the function `force` changes its sign. `sense` is the sign of the force at
+    /// the right end of the cell. Bisection replaces a Newton step that leaves the bracket or does not halve the force.
     fn tangent(
         &self,
         cell: usize,

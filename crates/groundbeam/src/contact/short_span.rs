@@ -122,7 +122,7 @@ fn half_length<R: Real>(cell: &Cell<R>, [from, to]: [f64; 2]) -> f64 {
     0.25 * (to - from) * cell.length()
 }
 
-/// Computes the length of a part of a cell, times the decay rate b = √(k/μ) of the ground. `half` is half the length.
+/// Computes the product of the decay rate b = √(k/μ) of the ground and the length 2 `half` of a part of a cell.
 fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }

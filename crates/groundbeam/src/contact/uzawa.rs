@@ -182,8 +182,8 @@ impl<'a> Iteration<'a> {
         let mut pressure = vec![0.0; before.len()];
         let mut balance = beam.wanted.clone();
         let mut slope = vec![vec![0.0; count]; count];
-        // Σ_{j < i} Gᵢⱼ pⱼ at node i for the new pressure p, and its derivatives with respect to the amplitudes of the
-        // rigid motions.
+        // Settlement Σ Gᵢⱼ pⱼ of node i under the new pressures of the nodes j < i, with the flexibility matrix G of the
+        // ground, and its derivatives with respect to the amplitudes of the rigid motions.
         let mut ahead = 0.0;
         let mut ahead_by = vec![0.0; count];
         for i in 0..before.len() {

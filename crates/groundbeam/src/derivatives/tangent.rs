@@ -1,7 +1,7 @@
 //! Computes the derivatives of a model's input values with respect to one parameter.
 //!
-//! The derivatives are stored as a model with the same parts. A load or a step at a fixed position represents a moving
-//! load ([`Moved`]).
+//! The derivatives are stored as a model with the same parts. The derivative with respect to the position of a load is
+//! represented by a moment and jumps at this position ([`Moved`]).
 
 use super::parameter::{Domain, LoadNumber, Parameter, Property, change, courses, set_load};
 use crate::model::{Action, Extent, Load, Model, SupportKind};

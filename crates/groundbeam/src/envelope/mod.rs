@@ -8,8 +8,8 @@ use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
-/// Difference of two solutions that may be rounding error, as a fraction of the largest value of the field. Below it,
-/// the first solution in the list governs.
+/// Largest difference of two solutions that counts as rounding error, as a fraction of the largest value of the field.
+/// If solutions differ by less, the first of them in the list of solutions governs.
 const ROUNDING_DIFFERENCE: f64 = 1e-12;
 
 /// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts

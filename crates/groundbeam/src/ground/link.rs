@@ -13,14 +13,14 @@ use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
 use crate::numeric::polynomial::{Coefficients, jet, value};
 use crate::numeric::real::Real;
 
-/// The three springs that are equivalent to a stretch of unloaded ground between two points of its surface.
+/// The three springs that are equivalent to a stretch of unloaded ground, for forces at its left and its right end.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct TwoPort<R = f64> {
-    /// Stiffness of the spring between the left and the right point \[N/m\].
+    /// Stiffness of the spring between the left and the right end \[N/m\].
     pub series: R,
-    /// Stiffness of the spring under the left point \[N/m\].
+    /// Stiffness of the spring under the left end of the stretch \[N/m\].
     pub shunt_left: R,
-    /// Stiffness of the spring under the right point \[N/m\].
+    /// Stiffness of the spring under the right end of the stretch \[N/m\].
     pub shunt_right: R,
 }
 

@@ -216,9 +216,9 @@ fn join(
         by[3] = share;
         piece.hinge = Some(Row { by, constant: row.constant });
     }
-    // The stiffest of these three is eliminated, separately for deflection and rotation: the deformation of the left
-    // element, that of the right element, or the displacement of the node on its support. This avoids differences of
-    // large stiffnesses.
+    // The unknown with the largest stiffness is eliminated, separately for deflection and rotation. It is the
+    // deformation of the left element, that of the right element, or the displacement of the node on its support. This
+    // avoids differences of large stiffnesses.
     let stiffest = |left: f64, right: f64, support: f64| match () {
         () if support > left.max(right) => Eliminated::Node,
         () if left > right => Eliminated::Left,

@@ -120,8 +120,8 @@ mod tests {
         near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
     }
 
-    /// The settlement u = cosh(x − a) of open ground with k = μ = 1 is smallest at x = a. The gap is smallest where
-    /// sinh(x − a) = w′ − g₀′.
+    /// The settlement u = cosh(x − a) of open ground with k = μ = 1 is smallest at x = a. The gap u + g₀ − w under a beam
+    /// with the deflection w is smallest where sinh(x − a) = w′ − g₀′.
     #[test]
     fn open_ground_turns_where_it_is_lowest() {
         for a in [0.7_f64, 1.3, 3.9] {
