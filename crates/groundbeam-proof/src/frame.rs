@@ -110,7 +110,7 @@ pub(crate) struct Weights {
     pub turning: f64,
 }
 
-/// A support of the model with its claimed reaction.
+/// A support of the model, and its reaction in the claimed solution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<S> {
     pub x: S,

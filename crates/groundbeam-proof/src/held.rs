@@ -29,7 +29,7 @@ pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reactio
     support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
 }
 
-/// Assigns the supports to nodes, and reads the claimed reactions of the rigid supports. An inactive support gets a
+/// Assigns the supports to nodes. Rigid supports get the reactions of the claimed solution. An inactive support gets a
 /// node only if `places` contains one for it.
 pub(crate) fn supports<S: Scalar>(
     model: &Model<S>,

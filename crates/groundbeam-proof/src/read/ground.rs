@@ -238,7 +238,7 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// Replaces a polynomial whose Bernstein coefficients are all equal by a constant. Returns an error if they differ.
+/// Returns a constant if all Bernstein coefficients of a polynomial are equal, otherwise an error.
 fn even<S: Scalar>(course: Course<S>, at: usize) -> Read<Course<S>> {
     let Course::Varying(values) = course else { return Ok(course) };
     match values[..] {

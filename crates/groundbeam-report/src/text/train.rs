@@ -147,7 +147,7 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
 pub(crate) fn envelope(sheet: &mut Sheet, heading: &str, all: &[Extremes], units: Units) {
     let numbers = all.iter().flat_map(|of| of.ends).filter_map(|end| end.number);
     let digits = numbers.max().map(|most| most.to_string().len());
-    // A wide value such as `−65570 lbf-ft` has 13 characters.
+    // The columns must hold wide values such as `−65570 lbf-ft`, which has 13 characters.
     let (label, value, place) = match digits {
         None => (13, 12, 9),
         Some(digits) => (12, 15 - digits.max(2), 8),
