@@ -43,7 +43,8 @@ pub struct Options {
     pub elements: usize,
     /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].
     pub start: Start,
-    /// Maximum number of sweeps of [`Method::Uzawa`] and [`Method::Psor`].
+    /// Maximum number of sweeps of [`Method::Uzawa`] and [`Method::Psor`]. If the number of elements is doubled, the
+    /// sweeps on all meshes together take no more operations than this number of sweeps on the first mesh.
     pub most_sweeps: usize,
     /// The memory limit \[bytes\]. A model whose [estimate](crate::memory_estimate()) exceeds this limit is
     /// refused.

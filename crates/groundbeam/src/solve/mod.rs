@@ -97,6 +97,8 @@ fn uncancelled(
         return outcome;
     }
     let mut options = options.clone();
+    // Number of sweeps times elements that remains for `psor` and `uzawa`.
+    let mut work = options.most_sweeps.saturating_mul(options.elements);
     for _ in 0..MOST_HALVINGS {
         let is_coarse = match &outcome {
             Ok(Outcome::Equilibrium(solution)) => {
@@ -114,7 +116,14 @@ fn uncancelled(
         if !is_coarse {
             break;
         }
+        let sweeps = match &outcome {
+            Ok(Outcome::Equilibrium(solution)) => solution.iterations(),
+            Err(Error::NotConverged(stopped)) => stopped.iterations,
+            _ => 0,
+        };
+        work = work.saturating_sub(sweeps.saturating_mul(options.elements));
         options.elements = options.elements.max(1).saturating_mul(2);
+        options.most_sweeps = work / options.elements;
         // If the solve with smaller elements fails, the solution on the coarse mesh remains the result.
         let finer = solve_once(model, &options, likely, workspace);
         if finer.is_err() && outcome.is_ok() {
