@@ -262,6 +262,23 @@ fn a_very_stiff_spring_has_the_reaction_of_a_pin() {
     }
 }
 
+/// A nearly rigid beam on three settled springs, which carry a tenth of their settlement times their stiffness.
+#[test]
+fn springs_that_settle_with_a_rigid_beam_keep_their_reactions() {
+    for bending in [1e3, 1e7, 1e9] {
+        let model = Model::new(Beam::uniform(4.0, bending), Foundation::winkler(1e-3))
+            .with_load(Load::point_force(1.0, 3.0))
+            .with_support(Support::spring(0.0, 1.0, 0.0).settled(10.0))
+            .with_support(Support::spring(2.0, 1.0, 0.0).settled(10.0))
+            .with_support(Support::spring(4.0, 1.0, 0.0).settled(10.0));
+        let found = equilibrium(solve(&model).expect("an answer"));
+        for (reaction, support) in found.reactions().iter().zip(&model.supports) {
+            let pressed = found.value(Field::Deflection, support.at) - support.settlement;
+            assert!((reaction.force - pressed).abs() < 1e-13, "{bending}: {reaction:?} {pressed}");
+        }
+    }
+}
+
 #[test]
 fn one_way_supports_are_refused() {
     let model = kikuchi(0.1).with_support(Support::pinned(0.3).acting(Acts::Up));

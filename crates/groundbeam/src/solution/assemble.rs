@@ -87,7 +87,7 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     }
 }
 
-/// A sum, and the sum of the magnitudes of its terms. The rounding error is proportional to this size.
+/// A sum, and a size to which its rounding error is at most proportional.
 struct Sum {
     value: f64,
     size: f64,
@@ -99,7 +99,7 @@ impl Sum {
         self.size += term.abs();
     }
 
-    /// Returns this sum, or `other` if its terms are smaller.
+    /// Returns this sum, or `other` if its size is smaller.
     fn or_if_smaller(self, other: impl FnOnce() -> Sum) -> f64 {
         // Without a spring, this sum is exactly zero.
         if self.size == 0.0 {
@@ -110,13 +110,17 @@ impl Sum {
     }
 }
 
+/// The pieces that end at x.
+fn pieces_beside(candidate: &Candidate, x: f64) -> impl Iterator<Item = &SolutionPiece> {
+    let near = same_place(candidate.model.beam.length);
+    let is_end = move |end: &f64| (end - x).abs() <= near;
+    candidate.pieces.iter().filter(move |piece| piece.x.iter().any(is_end))
+}
+
 /// Bounds of the terms of the deflection and of the rotation in the pieces beside x.
 fn motion_sizes(candidate: &Candidate, x: f64) -> [f64; 2] {
-    let near = same_place(candidate.model.beam.length);
-    let is_end = |end: &f64| (end - x).abs() <= near;
-    let beside = candidate.pieces.iter().filter(|piece| piece.x.iter().any(is_end));
     let mut sizes = [0.0_f64; 2];
-    for piece in beside {
+    for piece in pieces_beside(candidate, x) {
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
         let slopes = piece.deflection.iter().enumerate().map(|(j, c)| j as f64 * c / piece.half);
         let slopes: Vec<f64> = slopes.collect();
@@ -172,21 +176,23 @@ fn lift(candidate: &Candidate, x: f64) -> Sum {
     };
     let pieces = &candidate.pieces;
     let holding = |x: f64| pieces.partition_point(|s| s.x[1] < x).min(pieces.len() - 1);
+    let mut force = Sum { value: 0.0, size: 0.0 };
     let (first, from, before) = if x <= 0.0 {
         (0, 0.0, 0.0)
     } else {
         let i = holding(0.5 * (span_left + x));
+        force.size += third_derivative_size(&pieces[i]);
         (i + 1, pieces[i].x[1], total(&pieces[i], 1.0, 1))
     };
     let (end, to, after) = if x >= l {
         (pieces.len(), l, 0.0)
     } else {
         let i = holding(0.5 * (x + span_right));
+        force.size += third_derivative_size(&pieces[i]);
         (i, pieces[i].x[0], total(&pieces[i], -1.0, 0))
     };
     let near = same_place(l);
     let inside = |at: f64| from - near <= at && at <= to + near;
-    let mut force = Sum { value: 0.0, size: 0.0 };
     force.add(after);
     force.add(-before);
     for piece in pieces.get(first..end).unwrap_or_default() {
@@ -209,6 +215,12 @@ fn lift(candidate: &Candidate, x: f64) -> Sum {
     force
 }
 
+/// The size of EI w‴ in a piece, if the rounding error of each coefficient is proportional to the deflection w.
+fn third_derivative_size(piece: &SolutionPiece) -> f64 {
+    let deflection: f64 = piece.deflection.iter().map(|c| c.abs()).sum();
+    piece.cell.stiffness * deflection / (piece.half * piece.half * piece.half)
+}
+
 /// Moment of a fixed support at x: the jump of the bending moment at x minus the moment loads at x.
 fn turn(candidate: &Candidate, x: f64) -> Sum {
     let l = candidate.model.beam.length;
@@ -219,6 +231,9 @@ fn turn(candidate: &Candidate, x: f64) -> Sum {
         _ => 0.0,
     });
     let mut moment = Sum { value: 0.0, size: 0.0 };
+    for piece in pieces_beside(candidate, x) {
+        moment.size += third_derivative_size(piece) * piece.half;
+    }
     moment.add(after);
     moment.add(-before);
     loads.for_each(|load| moment.add(-load));
