@@ -11,6 +11,17 @@ use groundbeam_verification::random::{self, Family};
 use groundbeam_verification::upheaval::Meshed;
 use std::f64::consts::PI;
 
+/// A beam on pins at its ends and on ground that lies higher by q/k. Under the uniform load q, the beam stays straight.
+fn pinned(l: f64, ei: f64, shear: f64, k: f64, mu: f64, q: f64) -> Model {
+    let beam = Beam::uniform(l, ei).with_shear_stiffness(shear);
+    Model::new(beam, Foundation::pasternak(k, mu))
+        .with_load(Load::uniform_force(0.0, l, q))
+        .with_support(Support::pinned(0.0))
+        .with_support(Support::pinned(l))
+        .with_gap(0.0, -q / k)
+        .with_gap(l, -q / k)
+}
+
 /// For w = sin mπx/l, bending and shear act in series, 1/(1/P_E + 1/S) with P_E = EI (mπ/l)² (Engesser 1891), and the
 /// ground in parallel: P = min P_E/(1 + P_E/S) + k l²/(mπ)² + μ.
 #[test]
@@ -19,15 +30,7 @@ fn pinned_beams_with_shear_deformation_buckle_at_the_load_of_engesser() {
     for (l, mu, shear) in
         [(2.0, 0.0, 50.0), (3.0, 0.4, 9.0), (6.0, 0.0, 14.0), (11.0, 5.0, 25.0), (30.0, 0.1, 11.0)]
     {
-        let model = Model::new(
-            Beam::uniform(l, ei).with_shear_stiffness(shear),
-            Foundation::pasternak(k, mu),
-        )
-        .with_load(Load::uniform_force(0.0, l, q))
-        .with_support(Support::pinned(0.0))
-        .with_support(Support::pinned(l))
-        .with_gap(0.0, -q / k)
-        .with_gap(l, -q / k);
+        let model = pinned(l, ei, shear, k, mu, q);
         let wave = |m: u32| {
             let r = (f64::from(m) * PI / l).powi(2);
             ei * r / (1.0 + ei * r / shear) + k / r + mu
@@ -50,15 +53,7 @@ fn pinned_beams_with_shear_deformation_buckle_at_the_load_of_engesser() {
 fn a_pinned_beam_on_stiff_ground_is_stable_until_its_shear_stiffness_is_lost() {
     let (l, mu, shear, q) = (4.0, 0.2, 0.5, 0.7);
     for (ei, k) in [(2.0, 3.0), (1.0, 0.3)] {
-        let model = Model::new(
-            Beam::uniform(l, ei).with_shear_stiffness(shear),
-            Foundation::pasternak(k, mu),
-        )
-        .with_load(Load::uniform_force(0.0, l, q))
-        .with_support(Support::pinned(0.0))
-        .with_support(Support::pinned(l))
-        .with_gap(0.0, -q / k)
-        .with_gap(l, -q / k);
+        let model = pinned(l, ei, shear, k, mu, q);
         for compression in [0.9 * (shear + mu), (1.0 - 1e-9) * (shear + mu), 2.0 * (shear + mu)] {
             near(critical(&compressed(&model, compression)), shear + mu, 1e-9);
         }

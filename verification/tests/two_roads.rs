@@ -13,6 +13,7 @@ use groundbeam::{
 };
 use groundbeam_verification::dense::Dense;
 use groundbeam_verification::random::{self, Family};
+use groundbeam_verification::solved::solved_by;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -52,11 +53,7 @@ fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
 
 fn solved(model: &Model, method: Method, elements: usize) -> Solution {
     let options = Options { method, elements, ..Options::default() };
-    match solve_with(model, &options) {
-        Ok(Outcome::Equilibrium(solution)) => *solution,
-        Ok(Outcome::NoEquilibrium(_)) => panic!("no equilibrium: {model:?}"),
-        Err(error) => panic!("{error}: {model:?}"),
-    }
+    solved_by(model, &options)
 }
 
 /// w and p at the nodes.

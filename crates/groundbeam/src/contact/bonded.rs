@@ -5,7 +5,7 @@ use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainNode, NotDefinite};
 use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
-use crate::contact::state::{ContactState, turned};
+use crate::contact::state::{ContactState, rotation_terms};
 use crate::contact::stopping::{STIFFEN, STIFFEST_SPRING, ULPS};
 use crate::element::element::Element;
 use crate::element::operator::{Operator, ZoneKind};
@@ -103,11 +103,6 @@ pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind
     }
 }
 
-/// The element of one cell under an axial force.
-fn exact_element(cell: &Cell, axial_force: f64, touch: ZoneKind) -> ExactElement {
-    ExactElement::new(&Operator::of(cell, axial_force, touch), cell.length())
-}
-
 /// Whether compression removes all shear stiffness of the beam at some point, so that the beam buckles in
 /// arbitrarily short waves.
 pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
@@ -147,7 +142,7 @@ impl<'a> Bonded<'a> {
         let (mesh, zones) = self.mesh_on(intervals, &[]);
         let axial = self.model.beam.axial_force;
         let elements =
-            mesh.cells.iter().map(|cell| exact_element(cell, axial, touch(cell)).element);
+            mesh.cells.iter().map(|cell| ExactElement::of(cell, axial, touch(cell)).element);
         let solved = chain_of(&mesh, &zones, elements).solve();
         solved.is_ok_and(|shapes| shapes.as_flattened().iter().all(|v| v.is_finite()))
     }
@@ -280,7 +275,7 @@ impl<'a> Bonded<'a> {
             known.push(reused.unwrap_or_else(|| Known {
                 x,
                 touch,
-                exact: exact_element(cell, axial, touch),
+                exact: ExactElement::of(cell, axial, touch),
             }));
         }
     }
@@ -297,8 +292,7 @@ impl<'a> Bonded<'a> {
             let middle = 0.5 * (cell.x[0] + cell.x[1]);
             while known.next_if(|(known, _)| known.x[1] < middle).is_some() {}
             let own = known.peek().and_then(|(known, v)| known.exact.rotation(v));
-            let rotation = own.map_or_else(|| turned(cell, w), |own| own[..].into());
-            rotations.extend_from_slice(&rotation.at_least(TERMS));
+            rotations.extend_from_slice(&rotation_terms(own, cell, w));
         }
         rotations
     }

@@ -3,9 +3,8 @@
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::element::ExactElement;
-use crate::element::operator::{Operator, ZoneKind};
+use crate::element::operator::ZoneKind;
 use crate::existence::free_motions::FreeMotions;
-use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 
@@ -35,7 +34,10 @@ impl<'a> FreeBeam<'a> {
         let cells: Vec<ChainCell> = mesh
             .cells
             .iter()
-            .map(|c| ChainCell { element: element(c, mesh.axial_force).element, open: None })
+            .map(|c| ChainCell {
+                element: ExactElement::of(c, mesh.axial_force, ZoneKind::Open).element,
+                open: None,
+            })
             .collect();
         let meeting = nodes.iter().position(|n| n.pinned || n.spring > 0.0).unwrap_or(0);
         let chain = Chain { nodes, cells, meeting };
@@ -121,9 +123,4 @@ fn work_of_loads(mesh: &Mesh, chain: &Chain, motion: &[f64]) -> f64 {
 fn size_of_loads(mesh: &Mesh, chain: &Chain) -> f64 {
     let nodes: f64 = mesh.nodes.iter().map(|node| node.force.abs()).sum();
     nodes + chain.cells.iter().map(|cell| cell.element.load[0].abs()).sum::<f64>()
-}
-
-/// Returns the element of the beam in a cell, without the stiffness of the ground.
-pub(super) fn element(cell: &Cell, axial_force: f64) -> ExactElement {
-    ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
 }

@@ -9,7 +9,7 @@ use crate::contact::springs;
 use crate::contact::state::{ContactState, Unconverged, turned};
 use crate::contact::surface::{PointForce, Surface, SurfacePart};
 use crate::element::ExactElement;
-use crate::element::operator::{Operator, ZoneKind};
+use crate::element::operator::ZoneKind;
 use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
@@ -170,10 +170,7 @@ fn deflections(
 ) -> (Vec<f64>, Vec<f64>) {
     let mut w = vec![0.0; mesh.cells.len() * TERMS];
     let mut turns = vec![0.0; if mesh.shears() { w.len() } else { 0 }];
-    let element = |i: usize| {
-        let operator = Operator::of(&mesh.cells[i], grid.axial_force, ZoneKind::Open);
-        ExactElement::new(&operator, mesh.cells[i].length())
-    };
+    let element = |i: usize| ExactElement::of(&mesh.cells[i], grid.axial_force, ZoneKind::Open);
     let mut write = |i: usize, w: &mut [f64], element: &ExactElement, v: &[f64; 4]| {
         let own = &mut w[i * TERMS..(i + 1) * TERMS];
         own.copy_from_slice(&element.unfold(v).0);

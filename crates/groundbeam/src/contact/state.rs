@@ -80,6 +80,12 @@ pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
     slope
 }
 
+/// Returns the [`TERMS`] polynomial coefficients of the rotation in a cell with the deflection coefficients `w`. `own` has
+/// those of an element with shear deformation. Without shear deformation, the rotation is the slope.
+pub(crate) fn rotation_terms(own: Option<[f64; TERMS]>, cell: &Cell, w: &[f64]) -> Coefficients {
+    own.map_or_else(|| turned(cell, w), |own| own[..].into()).at_least(TERMS)
+}
+
 /// An iteration that stopped without convergence.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Unconverged {

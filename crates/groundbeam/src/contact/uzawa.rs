@@ -3,12 +3,14 @@
 //! The relaxation parameters follow from a bound of the beam's flexibility, so that the iteration converges. A sweep
 //! costs O(n r²) operations for n nodes and r free rigid motions. See section 9 of `docs/methods.md`.
 
-use super::free_beam::{FreeBeam, element};
+use super::free_beam::FreeBeam;
 use super::surface::{PointForce, Surface};
 use crate::cancel::Cancel;
 use crate::contact::flexibility::Flexibility;
 use crate::contact::nodes;
-use crate::contact::state::{ContactState, Unconverged, turned};
+use crate::contact::state::{ContactState, Unconverged, rotation_terms};
+use crate::element::ExactElement;
+use crate::element::operator::ZoneKind;
 use crate::error::NotConverged;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
@@ -16,7 +18,6 @@ use crate::model::Model;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::NotSolved;
-use crate::numeric::polynomial::TERMS;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::{SUM_ROUNDING, SWEEPS};
 
@@ -283,12 +284,11 @@ fn found(
     }
     let (mut coefficients, mut rotation, shears) = (Vec::new(), Vec::new(), mesh.shears());
     for (v, cell) in shapes.iter().zip(&mesh.cells) {
-        let element = element(cell, mesh.axial_force);
+        let element = ExactElement::of(cell, mesh.axial_force, ZoneKind::Open);
         let (w, _) = element.unfold(v);
         coefficients.extend(w);
         if shears {
-            let own = element.rotation(v).map_or_else(|| turned(cell, &w), |own| own[..].into());
-            rotation.extend_from_slice(&own.at_least(TERMS));
+            rotation.extend_from_slice(&rotation_terms(element.rotation(v), cell, &w));
         }
     }
     let u = ground.settlement(pressure);

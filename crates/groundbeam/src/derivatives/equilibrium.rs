@@ -6,7 +6,6 @@ use crate::chain::node::Tie;
 use crate::contact::bonded::chain_of;
 use crate::element::ExactElement;
 use crate::element::element::Element;
-use crate::element::operator::Operator;
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
@@ -43,9 +42,7 @@ impl<'a> Equilibrium<'a> {
     /// mechanism.
     pub fn at(frame: &'a Frame<'a>) -> Option<Self> {
         let mesh = &frame.mesh;
-        let element = |(cell, touch)| {
-            ExactElement::new(&Operator::of(cell, mesh.axial_force, touch), cell.length())
-        };
+        let element = |(cell, touch)| ExactElement::of(cell, mesh.axial_force, touch);
         let cells = mesh.cells.iter().zip(frame.touch.iter().copied());
         let exact: Vec<ExactElement> = cells.map(element).collect();
         let elements: Vec<Element> = exact.iter().map(|exact| exact.element).collect();

@@ -16,7 +16,7 @@ use crate::numeric::polynomial::{Coefficients, TERMS, rescale};
 use crate::numeric::real::Real;
 use element::{Element, LONGEST_SERIES};
 use layers::Layers;
-use operator::Operator;
+use operator::{Operator, ZoneKind};
 use series::Series;
 use uniform::Uniform;
 
@@ -71,6 +71,11 @@ enum Functions<R> {
 }
 
 impl<R: Real> ExactElement<R> {
+    /// Returns the element of a whole cell under an axial force.
+    pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Self {
+        Self::new(&Operator::of(cell, axial_force, touch), cell.length())
+    }
+
     pub fn new(operator: &Operator<R>, length: f64) -> Self {
         if let Some(polynomials) = &operator.polynomials {
             let (element, series) = Series::new(polynomials, length);

@@ -117,7 +117,7 @@ fn is_stable(model: &Model, compression: f64) -> bool {
     let operator = |cell: &_| Operator::of(cell, -compression, ZoneKind::Open);
     let mesh = Mesh::graded(model, &[], |cell, x| cut_equally(&operator(cell), cell, x));
     let cell = |cell: &crate::mesh::cell::Cell| ChainCell {
-        element: ExactElement::new(&operator(cell), cell.length()).element,
+        element: ExactElement::of(cell, -compression, ZoneKind::Open).element,
         open: None,
     };
     // Stability does not depend on loads and settlements.

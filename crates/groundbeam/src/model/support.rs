@@ -1,5 +1,7 @@
 //! Supports of the beam: pins, clamps and springs, two-way or one-way, with settlement.
 
+use crate::numeric::sum::Rounded;
+
 /// A support at one point of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support {
@@ -96,6 +98,33 @@ impl Support {
     /// Returns the support with other directions of action.
     pub fn acting(self, acts: Acts) -> Self {
         Support { acts, ..self }
+    }
+
+    /// Returns the reaction. `motion` computes the deflection and the rotation of the beam at the support. `force` and
+    /// `moment` compute what a rigid support must exert for equilibrium. The reaction of a spring follows from the motion,
+    /// or from the equilibrium of the beam if the spring is so stiff that the equilibrium has less rounding error.
+    pub(crate) fn reaction(
+        &self,
+        motion: impl FnOnce() -> [Rounded; 2],
+        force: impl FnOnce() -> Rounded,
+        moment: impl FnOnce() -> Rounded,
+    ) -> Reaction {
+        let (force, moment) = match self.kind {
+            SupportKind::Pinned => (force().value, 0.0),
+            SupportKind::Fixed => (force().value, moment().value),
+            SupportKind::Spring { spring, rotational_spring } => {
+                let [deflection, rotation] = motion();
+                let compression = deflection.value - self.settlement;
+                let by_deflection =
+                    Rounded { value: spring * compression, size: spring * deflection.size };
+                let by_rotation = Rounded {
+                    value: -rotational_spring * rotation.value,
+                    size: rotational_spring * rotation.size,
+                };
+                (by_deflection.or_if_smaller(force), by_rotation.or_if_smaller(moment))
+            }
+        };
+        Reaction { at: self.at, force, moment }
     }
 
     /// Whether the support acts in one direction only.

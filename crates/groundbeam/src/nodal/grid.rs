@@ -62,10 +62,8 @@ impl Run {
             Ground::Nodal => Layer::new(cell.subgrade, cell.shear_layer),
             Ground::Spread => Layer::at_nodes(cell.subgrade, cell.shear_layer, h),
         };
-        let element = (!is_even(cell)).then(|| {
-            let operator = Operator::of(cell, axial_force, ZoneKind::Open);
-            ExactElement::new(&operator, h).element
-        });
+        let element =
+            (!is_even(cell)).then(|| ExactElement::of(cell, axial_force, ZoneKind::Open).element);
         let [whole, link] = if cell.shear_layer == 0.0 {
             [springs(cell, h); 2]
         } else if element.is_none() {

@@ -9,7 +9,8 @@ use super::grid::Grid;
 use super::newton::Workspace;
 use crate::element::element::Element;
 use crate::model::support::Reaction;
-use crate::model::{Model, Support, SupportKind};
+use crate::model::{Model, Support};
+use crate::numeric::sum::Rounded;
 
 /// Largest distance from a support to a cut, times the wave number. Over longer distances, the sum of the ground forces
 /// loses digits.
@@ -23,26 +24,9 @@ pub(crate) fn reactions(model: &Model, grid: &Grid, workspace: &Workspace) -> Ve
     let places: Vec<[Option<usize>; 2]> = cut_nodes(model, grid);
     let cuts = cuts(grid, workspace, places.as_flattened());
     let reaction = |(support, places): (&Support, &[Option<usize>; 2])| {
-        let node = grid.nearest(support.at);
-        let [w, turn] = [workspace.deflection[node], workspace.slope[node]];
         let ends = places.map(|place| cuts.iter().find(|cut| Some(cut.place) == place));
-        let needed = || Needed::of(grid, workspace, support.at, ends);
-        let (force, moment) = match support.kind {
-            SupportKind::Pinned => (needed().force, 0.0),
-            SupportKind::Fixed => (needed().force, needed().moment),
-            SupportKind::Spring { spring, rotational_spring } => {
-                // The rounding error of the deflection, times the stiffness of a very stiff spring, can be larger than
-                // the rounding error of the equilibrium.
-                let needed = needed();
-                let is_soft = spring * needed.deflection <= needed.force_size;
-                let turns_softly = rotational_spring * needed.rotation <= needed.moment_size;
-                (
-                    if is_soft { spring * (w - support.settlement) } else { needed.force },
-                    if turns_softly { -rotational_spring * turn } else { needed.moment },
-                )
-            }
-        };
-        Reaction { at: support.at, force, moment }
+        let needed = Needed::of(grid, workspace, support.at, ends);
+        support.reaction(|| needed.motion, || needed.force, || needed.moment)
     };
     model.supports.iter().zip(&places).map(reaction).collect()
 }
@@ -115,20 +99,14 @@ fn cuts(grid: &Grid, workspace: &Workspace, places: &[Option<usize>]) -> Vec<Cut
     cuts
 }
 
-/// Force and moment that a support must exert on the beam.
+/// Force and moment that a support must exert on the beam, and the motion of the beam.
 struct Needed {
-    /// Force, positive upwards.
-    force: f64,
-    /// Moment, positive clockwise.
-    moment: f64,
-    /// Sum of the magnitudes of the forces that are in equilibrium with `force`.
-    force_size: f64,
-    /// Sum of the magnitudes of the moments that are in equilibrium with `moment`.
-    moment_size: f64,
-    /// Largest magnitude of the deflection between the cuts.
-    deflection: f64,
-    /// Largest magnitude of the rotation between the cuts.
-    rotation: f64,
+    /// Force, positive upwards. Its size is the sum of the magnitudes of the forces in equilibrium with it.
+    force: Rounded,
+    /// Moment, positive clockwise. Its size is the sum of the magnitudes of the moments in equilibrium with it.
+    moment: Rounded,
+    /// Deflection and rotation at the support. Their sizes are the largest magnitudes between the cuts.
+    motion: [Rounded; 2],
 }
 
 impl Needed {
@@ -138,23 +116,18 @@ impl Needed {
         let from = left.map_or(0, |cut| cut.node);
         let to = right.map_or(grid.last(), |cut| cut.node);
         let is_inside = |node: usize| (from < node || left.is_none()) && node <= to;
-        let largest =
-            |values: &[f64]| values[from..=to].iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        let mut needed = Needed {
-            force: 0.0,
-            moment: 0.0,
-            force_size: 0.0,
-            moment_size: 0.0,
-            deflection: largest(deflection),
-            rotation: largest(slope),
-        };
+        let node = grid.nearest(x);
+        let motion = [deflection, slope].map(|values| Rounded {
+            value: values[node],
+            size: values[from..=to].iter().fold(0.0, |most: f64, value| most.max(value.abs())),
+        });
+        let [mut force, mut moment] = [Rounded::default(); 2];
         // Adds a force at a position, positive downwards, and a moment, positive clockwise.
         let mut add = |f: f64, at: f64, m: f64| {
             let lever = f * (at - x);
-            needed.force += f;
-            needed.moment -= lever + m;
-            needed.force_size += f.abs();
-            needed.moment_size += lever.abs() + m.abs();
+            force.add(f);
+            moment.value -= lever + m;
+            moment.size += lever.abs() + m.abs();
         };
         for (i, a, b) in grid.parts(from, to) {
             let run = &grid.runs[i];
@@ -178,7 +151,7 @@ impl Needed {
             }
         }
         add(0.0, x, grid.axial_force * (deflection[from] - deflection[to]));
-        needed
+        Needed { force, moment, motion }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Compensated sums, and the sums of absolute values that distinguish zero from rounding error.
+//! Compensated sums, and sizes of values, which distinguish values from rounding error.
 
 use crate::numeric::tolerance::SUM_ROUNDING;
 
@@ -44,6 +44,29 @@ impl Sum {
 
     pub fn is_negative(&self) -> bool {
         self.sum < 0.0 && !self.is_zero()
+    }
+}
+
+/// A value, and a size to which its rounding error is at most proportional.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Rounded {
+    pub value: f64,
+    pub size: f64,
+}
+
+impl Rounded {
+    pub fn add(&mut self, term: f64) {
+        self.value += term;
+        self.size += term.abs();
+    }
+
+    /// Returns this value, or `other` if its size is smaller. If this size is zero, `other` is not computed.
+    pub fn or_if_smaller(self, other: impl FnOnce() -> Rounded) -> f64 {
+        if self.size == 0.0 {
+            return self.value;
+        }
+        let other = other();
+        if other.size < self.size { other.value } else { self.value }
     }
 }
 

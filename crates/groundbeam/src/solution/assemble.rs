@@ -4,7 +4,8 @@ use crate::contact::state::ContactState;
 use crate::contact::surface::{PointForce, Surface};
 use crate::mesh::deflection::BeamPoint;
 use crate::model::support::Reaction;
-use crate::model::{Action, Model, Support, SupportKind};
+use crate::model::{Action, Model, Support};
+use crate::numeric::sum::Rounded;
 use crate::numeric::tolerance::same_place;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::fields::{ConcentratedForce, ContactZone, EndForces, Side, SolutionPiece};
@@ -87,29 +88,6 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     }
 }
 
-/// A sum, and a size to which its rounding error is at most proportional.
-struct Sum {
-    value: f64,
-    size: f64,
-}
-
-impl Sum {
-    fn add(&mut self, term: f64) {
-        self.value += term;
-        self.size += term.abs();
-    }
-
-    /// Returns this sum, or `other` if its size is smaller.
-    fn or_if_smaller(self, other: impl FnOnce() -> Sum) -> f64 {
-        // Without a spring, this sum is exactly zero.
-        if self.size == 0.0 {
-            return self.value;
-        }
-        let other = other();
-        if other.size < self.size { other.value } else { self.value }
-    }
-}
-
 /// The pieces that end at x.
 fn pieces_beside(candidate: &Candidate, x: f64) -> impl Iterator<Item = &SolutionPiece> {
     let near = same_place(candidate.model.beam.length);
@@ -117,52 +95,32 @@ fn pieces_beside(candidate: &Candidate, x: f64) -> impl Iterator<Item = &Solutio
     candidate.pieces.iter().filter(move |piece| piece.x.iter().any(is_end))
 }
 
-/// Bounds of the terms of the deflection and of the rotation in the pieces beside x.
-fn motion_sizes(candidate: &Candidate, x: f64) -> [f64; 2] {
-    let mut sizes = [0.0_f64; 2];
+/// The deflection and the rotation at x. Their sizes are bounds of their terms in the pieces beside x.
+fn motion(candidate: &Candidate, x: f64) -> [Rounded; 2] {
+    let here = candidate.at(x, Side::Right);
+    let mut motion = [here.deflection, here.rotation].map(|value| Rounded { value, size: 0.0 });
     for piece in pieces_beside(candidate, x) {
         let size = |c: &[f64]| c.iter().map(|c| c.abs()).sum::<f64>();
         let slopes = piece.deflection.iter().enumerate().map(|(j, c)| j as f64 * c / piece.half);
         let slopes: Vec<f64> = slopes.collect();
-        sizes[0] = sizes[0].max(size(&piece.deflection));
-        sizes[1] = sizes[1].max(size(&slopes));
+        motion[0].size = motion[0].size.max(size(&piece.deflection));
+        motion[1].size = motion[1].size.max(size(&slopes));
     }
-    sizes
+    motion
 }
 
-/// Computes the reactions of the supports. Those of rigid supports follow from the equilibrium of the beam, and
-/// those of springs from the deflection and the rotation of the beam. For a very stiff spring, the equilibrium has less
-/// rounding error.
+/// Computes the reactions of the supports.
 fn reactions(candidate: &Candidate) -> Vec<Reaction> {
-    let supports = &candidate.model.supports;
     let reaction = |support: &Support| {
         let x = support.at;
-        let (force, moment) = match support.kind {
-            SupportKind::Pinned => (lift(candidate, x).value, 0.0),
-            SupportKind::Fixed => (lift(candidate, x).value, turn(candidate, x).value),
-            SupportKind::Spring { spring, rotational_spring } => {
-                let here = candidate.at(x, Side::Right);
-                let pressed = here.deflection - support.settlement;
-                let [deflection, rotation] = motion_sizes(candidate, x);
-                let force = Sum { value: spring * pressed, size: spring * deflection };
-                let moment = Sum {
-                    value: -rotational_spring * here.rotation,
-                    size: rotational_spring * rotation,
-                };
-                (
-                    force.or_if_smaller(|| lift(candidate, x)),
-                    moment.or_if_smaller(|| turn(candidate, x)),
-                )
-            }
-        };
-        Reaction { at: x, force, moment }
+        support.reaction(|| motion(candidate, x), || lift(candidate, x), || turn(candidate, x))
     };
-    supports.iter().map(reaction).collect()
+    candidate.model.supports.iter().map(reaction).collect()
 }
 
 /// Force of a rigid support at x, from the equilibrium of the beam between the middles of the adjacent spans. The shear
 /// force is accurate there, but not near the support.
-fn lift(candidate: &Candidate, x: f64) -> Sum {
+fn lift(candidate: &Candidate, x: f64) -> Rounded {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);
     let others = || model.supports.iter().map(|support| support.at);
@@ -176,7 +134,7 @@ fn lift(candidate: &Candidate, x: f64) -> Sum {
     };
     let pieces = &candidate.pieces;
     let holding = |x: f64| pieces.partition_point(|s| s.x[1] < x).min(pieces.len() - 1);
-    let mut force = Sum { value: 0.0, size: 0.0 };
+    let mut force = Rounded::default();
     let (first, from, before) = if x <= 0.0 {
         (0, 0.0, 0.0)
     } else {
@@ -222,7 +180,7 @@ fn third_derivative_size(piece: &SolutionPiece) -> f64 {
 }
 
 /// Moment of a fixed support at x: the jump of the bending moment at x minus the moment loads at x.
-fn turn(candidate: &Candidate, x: f64) -> Sum {
+fn turn(candidate: &Candidate, x: f64) -> Rounded {
     let l = candidate.model.beam.length;
     let before = if x <= 0.0 { 0.0 } else { candidate.at(x, Side::Left).moment };
     let after = if x >= l { 0.0 } else { candidate.at(x, Side::Right).moment };
@@ -230,7 +188,7 @@ fn turn(candidate: &Candidate, x: f64) -> Sum {
         Some((at, moment)) if (at - x).abs() <= same_place(l) => moment,
         _ => 0.0,
     });
-    let mut moment = Sum { value: 0.0, size: 0.0 };
+    let mut moment = Rounded::default();
     for piece in pieces_beside(candidate, x) {
         moment.size += third_derivative_size(piece) * piece.half;
     }

@@ -100,27 +100,24 @@ fn uncancelled(
     // Number of sweeps times elements that remains for `psor` and `uzawa`.
     let mut work = options.most_sweeps.saturating_mul(options.elements);
     for _ in 0..MOST_HALVINGS {
-        let is_coarse = match &outcome {
+        let (is_coarse, sweeps) = match &outcome {
             Ok(Outcome::Equilibrium(solution)) => {
                 let mut pieces = solution.candidate().pieces.iter();
-                pieces.any(|piece| piece.cell.shear_layer == 0.0)
-                    && solution.certificate().relative_gap() > 1.0
+                let is_coarse = pieces.any(|piece| piece.cell.shear_layer == 0.0)
+                    && solution.certificate().relative_gap() > 1.0;
+                (is_coarse, solution.iterations())
             }
             Err(Error::NotConverged(stopped)) => {
                 let by_supports = stopped.why == NotConverged::Supports;
-                matches!(stopped.why, NotConverged::Gap(_))
-                    || by_supports && options.method == Method::ActiveSet
+                let is_coarse = matches!(stopped.why, NotConverged::Gap(_))
+                    || by_supports && options.method == Method::ActiveSet;
+                (is_coarse, stopped.iterations)
             }
-            _ => false,
+            _ => break,
         };
         if !is_coarse {
             break;
         }
-        let sweeps = match &outcome {
-            Ok(Outcome::Equilibrium(solution)) => solution.iterations(),
-            Err(Error::NotConverged(stopped)) => stopped.iterations,
-            _ => 0,
-        };
         work = work.saturating_sub(sweeps.saturating_mul(options.elements));
         options.elements = options.elements.max(1).saturating_mul(2);
         options.most_sweeps = work / options.elements;
