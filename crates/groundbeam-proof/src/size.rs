@@ -27,17 +27,18 @@ impl Size {
     /// Divides by a lower bound of the divisor and rounds up. The quotient is infinite unless the lower bound is
     /// positive.
     pub fn over(self, low: f64) -> Self {
-        if self.0 == 0.0 && low > 0.0 {
-            Size::ZERO
-        } else if low > 0.0 {
-            Size::of(up(self.0 / low))
-        } else {
-            Size::INFINITE
-        }
+        let quotient = if low > 0.0 { self.0 / low } else { f64::INFINITY };
+        Size::rounded_up(quotient, self.0 == 0.0)
     }
 
     pub fn root(self) -> Self {
-        if self.0 == 0.0 { self } else { Size::of(up(self.0.sqrt())) }
+        Size::rounded_up(self.0.sqrt(), self.0 == 0.0)
+    }
+
+    /// Returns the smallest double that is larger than `x`, or `x` itself if it is exact.
+    fn rounded_up(x: f64, is_exact: bool) -> Self {
+        let Size(x) = Size::of(x);
+        Size(f64::from_bits(x.to_bits() + u64::from(!is_exact & (x < f64::INFINITY))))
     }
 
     pub fn square(self) -> Self {
@@ -55,21 +56,10 @@ impl Size {
     }
 }
 
-/// Returns the smallest double that is larger than the nonnegative double `x`. Infinity and NaN remain unchanged.
-fn up(x: f64) -> f64 {
-    f64::from_bits(x.to_bits() + u64::from(x < f64::INFINITY))
-}
-
 impl Add for Size {
     type Output = Size;
     fn add(self, other: Size) -> Size {
-        if self.0 == 0.0 {
-            other
-        } else if other.0 == 0.0 {
-            self
-        } else {
-            Size::of(up(self.0 + other.0))
-        }
+        Size::rounded_up(self.0 + other.0, (self.0 == 0.0) | (other.0 == 0.0))
     }
 }
 
@@ -82,9 +72,7 @@ impl AddAssign for Size {
 impl Mul for Size {
     type Output = Size;
     fn mul(self, other: Size) -> Size {
-        let zero = (self.0 == 0.0 && other.0 < f64::INFINITY)
-            || (other.0 == 0.0 && self.0 < f64::INFINITY);
-        if zero { Size::ZERO } else { Size::of(up(self.0 * other.0)) }
+        Size::rounded_up(self.0 * other.0, (self.0 == 0.0) | (other.0 == 0.0))
     }
 }
 

@@ -135,12 +135,12 @@ pub(crate) fn pressure_of<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) ->
         return varying::pressure(cell, half, obstacle);
     }
     let factor = cell.shear_layer / (half * half);
-    let mut pressure = Coefficients::from(obstacle);
-    for c in pressure.iter_mut() {
-        *c *= cell.subgrade;
-    }
-    for (j, (pressure, c)) in pressure.iter_mut().zip(obstacle.iter().skip(2)).enumerate() {
-        *pressure -= factor * ((j + 2) * (j + 1)) as f64 * *c;
+    let mut pressure = Coefficients::zeros(obstacle.len());
+    for (j, (pressure, c)) in pressure.iter_mut().zip(obstacle).enumerate() {
+        *pressure = cell.subgrade * *c;
+        if let Some(c) = obstacle.get(j + 2) {
+            *pressure -= factor * ((j + 2) * (j + 1)) as f64 * *c;
+        }
     }
     pressure
 }

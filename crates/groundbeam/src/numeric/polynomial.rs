@@ -214,23 +214,32 @@ pub(crate) fn product<R: Real>(f: &[R], g: &[R]) -> Coefficients<R> {
 
 /// Integral ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] of the derivatives of order n = `order` ≤ 2.
 pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
-    let differentiated = |c: &[R]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c));
-    let [f, g] = [f, g].map(differentiated);
-    let mut sum = R::ZERO;
-    for (i, a) in f.iter().enumerate() {
-        // The integral ∫ s^(i+j) ds over [−1, 1] is 2/(i+j+1) for even i + j and zero for odd i + j.
-        let pairs =
-            g.get(i % 2..).unwrap_or_default().chunks(2).zip(POWERS[(i + i % 2) / 2..].iter());
-        sum += *a * pairs.map(|(pair, whole)| pair[0] * *whole).sum::<R>();
+    if order > 0 {
+        return inner(&derivative(f), &derivative(g), order - 1);
     }
-    sum
+    // The integral ∫ s^(i+j) ds over [−1, 1] is 2/(i+j+1) for even i + j and zero for odd i + j. Loops of constant
+    // length let the compiler use vector instructions.
+    let of_parity = |first: usize| {
+        let [f, g] = [f, g].map(|c| c.iter().skip(first).step_by(2));
+        let mut moments = [R::ZERO; HALF];
+        for (i, a) in f.enumerate() {
+            for (moment, power) in moments.iter_mut().zip(&POWERS[i + first..][..HALF]) {
+                *moment += *a * *power;
+            }
+        }
+        g.zip(moments).map(|(b, moment)| *b * moment).sum::<R>()
+    };
+    of_parity(0) + of_parity(1)
 }
 
+/// Maximum number of even powers in a polynomial. It has at most as many odd powers.
+const HALF: usize = MOST_COEFFICIENTS.div_ceil(2);
+
 /// Integrals ∫ s^(2n) ds over \[−1, 1\] for n = 0, 1, …
-pub(crate) const POWERS: [f64; MOST_COEFFICIENTS] = {
-    let mut all = [0.0; MOST_COEFFICIENTS];
+pub(crate) const POWERS: [f64; 2 * HALF] = {
+    let mut all = [0.0; 2 * HALF];
     let mut n = 0;
-    while n < MOST_COEFFICIENTS {
+    while n < all.len() {
         all[n] = 2.0 / (2 * n + 1) as f64;
         n += 1;
     }

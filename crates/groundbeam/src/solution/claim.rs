@@ -134,7 +134,7 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
             x: [from, piece.x[1]],
             half: piece.half,
             touches: piece.open.is_none(),
-            deflection: piece.deflection.to_vec(),
+            deflection: piece.deflection.without_zeros().at_least(1).to_vec(),
             rotation: piece.rotation.to_vec(),
             pressure: piece.pressure.to_vec(),
             open: piece.open.map(|ends| [ends[0] + own[0], ends[1] + own[1]]),
