@@ -4,20 +4,22 @@
 //! joins the *arcs*, on which full contact gives no tension, by tangent spans of unloaded ground. It costs O(n)
 //! operations. See section 2 of `docs/methods.md`.
 
-use crate::contact::short_span;
+use crate::contact::short_span::{self, ShortSpan};
 use crate::contact::springs::{is_rounding_error, join, positive_parts, winkler_contact};
 use crate::ground::link::TwoPort;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
+use crate::numeric::polynomial::Coefficients;
 
 /// Returns the contact zones for a given deflection w, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
     for run in ground_runs(w.mesh) {
         if run.pasternak {
-            zones.extend(Scan { w, run: &run }.run().into_iter().filter(|zone| !w.is_held(zone)));
+            let scan = Scan::new(w, &run);
+            zones.extend(scan.run().into_iter().filter(|zone| !w.is_held(zone)));
         } else {
             zones.extend(winkler_contact(w, &run));
         }
@@ -50,9 +52,19 @@ const CONVERGED: f64 = 0.01;
 struct Scan<'a> {
     w: &'a Deflection<'a>,
     run: &'a GroundRun,
+    /// Coefficients of the pressure of full contact in each cell of the run.
+    pressures: Vec<Coefficients>,
 }
 
-impl Scan<'_> {
+impl<'a> Scan<'a> {
+    fn new(w: &'a Deflection<'a>, run: &'a GroundRun) -> Self {
+        Scan { w, run, pressures: run.cells.clone().map(|i| w.pressure(i)).collect() }
+    }
+
+    fn pressure(&self, i: usize) -> &Coefficients {
+        &self.pressures[i - self.run.cells.start]
+    }
+
     fn run(&self) -> Vec<MeshZone> {
         self.contact_set(self.arcs().into_iter())
     }
@@ -133,8 +145,7 @@ impl Scan<'_> {
         let presses = |i: &usize| !is_rounding_error(self.w, *i);
         for i in cells.clone().filter(presses) {
             let corner = if i == cells.start { 1.0 } else { self.w.corner(i) };
-            let pressure = self.w.pressure(i);
-            let mut parts = positive_parts(&pressure, &mut knots).peekable();
+            let mut parts = positive_parts(self.pressure(i), &mut knots).peekable();
             let starts_here = parts.peek().is_some_and(|part| part[0] == -1.0);
             let ended_here =
                 arcs.last().is_some_and(|a| a.to == BeamPoint { cell: i.wrapping_sub(1), s: 1.0 });
@@ -174,9 +185,8 @@ impl Scan<'_> {
         let tail = span.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
         let parts = [head, span.middle, tail];
         let whole = parts.into_iter().flatten().reduce(TwoPort::then);
-        // If both ends of the span lie at one node, the span has length zero. Its series stiffness is then practically
-        // infinite, so both ends have the same settlement.
-        whole.unwrap_or(TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 })
+        // If both ends of the span lie at one node, the span has length zero.
+        whole.unwrap_or_else(TwoPort::rigid)
     }
 
     /// The contact force at a single point between two spans; negative in tension.
@@ -222,10 +232,12 @@ impl Scan<'_> {
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
         let other = span.right.map_or(0.0, |b| self.w.obstacle_at(b));
         let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
-        let link = self.link(&trial);
-        let force = match self.short(&trial) {
-            Some([force, _]) => force,
-            None => shear * slope + link.force_left(psi, other),
+        let (force, link) = match self.short(&trial) {
+            Some(short) => (short.forces[0], short.link()),
+            None => {
+                let link = self.link(&trial);
+                (shear * slope + link.force_left(psi, other), link)
+            }
         };
         [force, (link.shunt_left + link.series) / shear * force - pressure]
     }
@@ -237,32 +249,38 @@ impl Scan<'_> {
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
         let other = span.left.map_or(0.0, |a| self.w.obstacle_at(a));
         let [_, shear] = self.w.mesh.cells[point.cell].ground_at(point.s);
-        let link = self.link(&trial);
-        let force = match self.short(&trial) {
-            Some([_, force]) => force,
-            None => link.force_right(other, psi) - shear * slope,
+        let (force, link) = match self.short(&trial) {
+            Some(short) => (short.forces[1], short.link()),
+            None => {
+                let link = self.link(&trial);
+                (link.force_right(other, psi) - shear * slope, link)
+            }
         };
         [force, pressure - (link.shunt_right + link.series) / shear * force]
     }
 
-    /// Returns the concentrated forces at both ends of a short open span, or `None` if differences of slopes are more
-    /// accurate.
-    fn short(&self, span: &OpenSpan) -> Option<[f64; 2]> {
-        short_span::end_forces(self.w, [span.left, span.right])
+    /// Returns a short open span with its end forces, or `None` if differences of slopes are more accurate.
+    fn short(&self, span: &OpenSpan) -> Option<ShortSpan> {
+        ShortSpan::of(self.w, [span.left, span.right], |i| *self.pressure(i))
     }
 
     /// Moves the left end of the span to the left until the force at this end is not tensile.
     fn trim_left(&self, span: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut point) = span.left else { return };
-        if point == limit || self.force_at_left(span, point)[0] >= 0.0 {
+        if point == limit {
             return;
         }
+        let force_here = self.force_at_left(span, point);
+        if force_here[0] >= 0.0 {
+            return;
+        }
+        let mut first = Some(force_here);
         loop {
             let start = if point.cell == limit.cell { limit.s } else { -1.0 };
             let low = BeamPoint { cell: point.cell, s: start };
             if self.force_at_left(span, low)[0] >= 0.0 {
                 let force = |s: f64| self.force_at_left(span, BeamPoint { cell: point.cell, s });
-                point.s = self.tangent(point.cell, [start, point.s], force, -1.0);
+                point.s = self.tangent(point.cell, [start, point.s], first, force, -1.0);
                 break;
             }
             if point.cell == limit.cell {
@@ -276,6 +294,7 @@ impl Scan<'_> {
                 span.middle = chained(opened, span.middle);
             }
             point = BeamPoint { cell: point.cell - 1, s: 1.0 };
+            first = None;
             span.left = Some(point);
         }
         span.left = Some(point);
@@ -284,15 +303,20 @@ impl Scan<'_> {
     /// Moves the right end of the span to the right until the force at this end is not tensile.
     fn trim_right(&self, span: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut point) = span.right else { return };
-        if point == limit || self.force_at_right(span, point)[0] >= 0.0 {
+        if point == limit {
             return;
         }
+        let force_here = self.force_at_right(span, point);
+        if force_here[0] >= 0.0 {
+            return;
+        }
+        let mut first = Some(force_here);
         loop {
             let end = if point.cell == limit.cell { limit.s } else { 1.0 };
             let high = BeamPoint { cell: point.cell, s: end };
             if self.force_at_right(span, high)[0] >= 0.0 {
                 let force = |s: f64| self.force_at_right(span, BeamPoint { cell: point.cell, s });
-                point.s = self.tangent(point.cell, [point.s, end], force, 1.0);
+                point.s = self.tangent(point.cell, [point.s, end], first, force, 1.0);
                 break;
             }
             if point.cell == limit.cell {
@@ -303,17 +327,20 @@ impl Scan<'_> {
                 span.middle = self.whole_cells(point.cell, point.cell + 1, span.middle);
             }
             point = BeamPoint { cell: point.cell + 1, s: -1.0 };
+            first = None;
             span.right = Some(point);
         }
         span.right = Some(point);
     }
 
     /// Finds the position in a cell at which the function `force` changes its sign. `sense` is the sign of the force at
-    /// the right end of the cell. Bisection replaces a Newton step that leaves the bracket or does not halve the force.
+    /// the right end of the cell, and `first` the force at the start, if known. Bisection replaces a Newton step that
+    /// leaves the bracket or does not halve the force.
     fn tangent(
         &self,
         cell: usize,
         [mut low, mut high]: [f64; 2],
+        mut first: Option<[f64; 2]>,
         force: impl Fn(f64) -> [f64; 2],
         sense: f64,
     ) -> f64 {
@@ -324,7 +351,7 @@ impl Scan<'_> {
         let mut closing_step = None;
         // 128 is twice the number of bisections that double precision allows.
         for _ in 0..128 {
-            let [f, slope] = force(s);
+            let [f, slope] = first.take().unwrap_or_else(|| force(s));
             if f == 0.0 {
                 return s;
             }

@@ -8,7 +8,7 @@ use crate::ground::link::{Pair, TwoPort};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection};
 use crate::numeric::elementary::{cosh, sinh};
-use crate::numeric::polynomial::{Coefficients, value};
+use crate::numeric::polynomial::{Coefficients, trimmed, values_at};
 use crate::numeric::real::Real;
 
 /// Maximum number of cells of a short span, including cells that only touch an end of the span.
@@ -82,33 +82,39 @@ impl<R: Real> SpanPart<R> {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
+    /// Returns the two-port of this part of the ground out of contact.
+    fn link(&self) -> TwoPort<R> {
+        let uniform = || TwoPort::of_decay(self.stiffness, self.length);
+        self.varying.as_ref().map_or_else(uniform, |ground| ground.link)
+    }
+
     /// Computes ∫π φ ds, −1 ≤ s ≤ 1, for two settlement shapes φ of this part. The first is 1 at the left end and 0 at
     /// the right end; the second is the reverse. `pi` has the coefficients of the pressure π.
     fn under(&self, pi: &[R]) -> [R; 2] {
-        let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
-        let mut under = [R::ZERO; 2];
-        if let Some(ground) = &self.varying {
-            for (x, weight) in GAUSS_16 {
-                for s in [-x, x] {
-                    let p = at(0.5 * (1.0 + s)) * weight;
-                    for (under, surface) in under.iter_mut().zip(&ground.surfaces) {
-                        *under += p * value(surface, s);
-                    }
-                }
-            }
-            return under;
-        }
-        // The shape that is 1 at the right end is sinh(tz)/sinh(z): z is the length times √(k/μ), and t the relative
-        // position.
+        let place = POINTS.map(|s| self.from + 0.5 * (1.0 + s) * (self.to - self.from));
+        let pressure = values_at(pi, &place);
+        let surfaces = match &self.varying {
+            Some(ground) => [0, 1].map(|end| values_at(&ground.surfaces[end], &POINTS)),
+            None => self.uniform_surfaces(),
+        };
+        surfaces.map(|surface| {
+            let points = surface.into_iter().zip(pressure).zip(WEIGHTS);
+            points.map(|((phi, p), weight)| p * phi * weight).sum()
+        })
+    }
+
+    /// Returns the values of the two settlement shapes of uniform ground at the points of the quadrature. The shape
+    /// that is 1 at the right end is sinh(tz)/sinh(z): z is the length times √(k/μ), and t the relative position.
+    fn uniform_surfaces(&self) -> [[R; 16]; 2] {
         let square = self.length * self.length;
-        for (x, weight) in GAUSS_16 {
-            let t = 0.5 - 0.5 * x;
-            let [near, far] = [t, 1.0 - t].map(|t| sinh_over(square * (t * t)) * t);
-            let [p, q] = [t, 1.0 - t].map(at);
-            under[0] += (p * far + q * near) * weight;
-            under[1] += (p * near + q * far) * weight;
-        }
-        under.map(|under| under / sinh_over(square))
+        let whole = sinh_over(square);
+        let rising = POINTS.map(|s| {
+            let t = 0.5 * (1.0 + s);
+            sinh_over(square * (t * t)) * t / whole
+        });
+        let mut falling = rising;
+        falling.reverse();
+        [falling, rising]
     }
 }
 
@@ -135,8 +141,8 @@ pub(crate) fn fluxes<R: Real>(
     link: &TwoPort<R>,
 ) -> [R; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> R| ends.map(|end| end.map_or(R::ZERO, f));
-    if let Some([a, b]) = end_forces(w, ends) {
-        let [left, right] = of(&|point| w.flux(point));
+    if let Some(short) = ShortSpan::of(w, ends, |i| w.pressure(i)) {
+        let ([a, b], [left, right]) = (short.forces, of(&|point| w.flux(point)));
         return [a - left, b + right];
     }
     let [left, right] = of(&|point| w.obstacle_at(point));
@@ -154,14 +160,14 @@ pub(crate) fn bonded_fluxes<R: Real>(
         end.map_or(R::ZERO, |point| w.flux(point) - w.flux(open_side(w, point)))
     };
     let [left, right] = fluxes(w, ends, link);
-    match end_forces(w, ends) {
+    match ShortSpan::of(w, ends, |i| w.pressure(i)) {
         Some(_) => [left + kink(ends[0]), right - kink(ends[1])],
         None => [left, right],
     }
 }
 
 /// If a concentrated force kinks the beam at the end `point` of a span, returns this end in the cell inside the span.
-/// Forces of corners are already part of [`end_forces`], so `point` is kept there.
+/// Forces of corners are already part of [`ShortSpan::forces`], so `point` is kept there.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
@@ -173,43 +179,70 @@ fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     if shears && w.corner(cell.max(other.cell)) == 0.0 { other } else { point }
 }
 
-/// Computes the forces at both ends of a short span from the pressure. Returns `None` for a longer span, or if
-/// differences of slopes are more accurate.
-pub(crate) fn end_forces<R: Real>(
+/// A short open span of ground.
+pub(crate) struct ShortSpan<R = f64> {
+    /// Forces at the left and the right end of the span, from the pressure that would close it \[N\].
+    pub forces: [R; 2],
+    parts: Vec<SpanPart<R>>,
+}
+
+impl<R: Real> ShortSpan<R> {
+    /// Computes the forces at both ends of a short span. Returns `None` for a longer span, or if differences of slopes
+    /// are more accurate. `pressure` returns the pressure coefficients of a cell ([`Deflection::pressure`]).
+    pub fn of(
+        w: &Deflection<R>,
+        ends: [Option<BeamPoint>; 2],
+        pressure: impl Fn(usize) -> Coefficients<R>,
+    ) -> Option<Self> {
+        let [a, b] = [ends[0]?, ends[1]?];
+        if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
+            return None;
+        }
+        let within = |i: usize| {
+            let from = if i == a.cell { a.s } else { -1.0 };
+            let to = if i == b.cell { b.s } else { 1.0 };
+            [from, to]
+        };
+        let cells = a.cell..=b.cell;
+        let half = |i: usize| half_length(&w.mesh.cells[i], within(i));
+        let length = |i: usize| decay(&w.mesh.cells[i], half(i)).value();
+        let whole: f64 = cells.clone().map(length).sum();
+        if whole > LONGEST {
+            return None;
+        }
+        if whole > 0.0 {
+            let size = |i: usize| 2.0 * half(i) * pressure_size(w, i);
+            let softness = |i: usize| 2.0 * half(i) / w.mesh.cells[i].shear_layer.value();
+            let noise: f64 = cells.clone().map(size).sum();
+            let soft: f64 = cells.clone().map(softness).sum();
+            if noise * soft > w.obstacle_at(a).value().abs() + w.obstacle_at(b).value().abs() {
+                return None;
+            }
+        }
+        let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
+        let parts: Vec<SpanPart<R>> = cells.map(part).collect::<Option<_>>()?;
+        if whole <= 0.0 {
+            // A span of zero length carries the point force at its node, half at each end. If this force is tensile,
+            // the span opens.
+            let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
+            return Some(ShortSpan { forces: [half_force; 2], parts });
+        }
+        Some(ShortSpan { forces: end_forces(w, &parts, pressure), parts })
+    }
+
+    /// Returns the two-port of the ground in the span.
+    pub fn link(&self) -> TwoPort<R> {
+        let longer = self.parts.iter().filter(|part| part.to > part.from);
+        longer.map(SpanPart::link).reduce(TwoPort::then).unwrap_or_else(TwoPort::rigid)
+    }
+}
+
+/// Computes the forces at both ends of the consecutive parts of a short span.
+fn end_forces<R: Real>(
     w: &Deflection<R>,
-    ends: [Option<BeamPoint>; 2],
-) -> Option<[R; 2]> {
-    let [a, b] = [ends[0]?, ends[1]?];
-    if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
-        return None;
-    }
-    let within = |i: usize| {
-        let from = if i == a.cell { a.s } else { -1.0 };
-        let to = if i == b.cell { b.s } else { 1.0 };
-        [from, to]
-    };
-    let length =
-        |i: usize| decay(&w.mesh.cells[i], half_length(&w.mesh.cells[i], within(i))).value();
-    let whole: f64 = (a.cell..=b.cell).map(length).sum();
-    if whole > LONGEST {
-        return None;
-    }
-    let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
-    let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
-    if whole <= 0.0 {
-        // A span of zero length carries the point force at its node, half at each end. If this force is tensile, the
-        // span opens.
-        let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
-        return Some([half_force; 2]);
-    }
-    let noise: f64 = parts.iter().map(|part| 2.0 * part.half * pressure_size(w, part.cell)).sum();
-    let soft: f64 = parts
-        .iter()
-        .map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear_layer.value())
-        .sum();
-    if noise * soft > w.obstacle_at(a).value().abs() + w.obstacle_at(b).value().abs() {
-        return None;
-    }
+    parts: &[SpanPart<R>],
+    pressure: impl Fn(usize) -> Coefficients<R>,
+) -> [R; 2] {
     let from_right = shape(parts.iter().rev(), true);
     let from_left = shape(parts.iter(), false);
     let count = parts.len();
@@ -223,12 +256,12 @@ pub(crate) fn end_forces<R: Real>(
             forces[1] += point_force * phi_b[0];
         }
         if part.to > part.from {
-            let under = part.under(&w.pressure(part.cell));
+            let under = part.under(trimmed(&pressure(part.cell)));
             forces[0] += (phi_a[0] * under[0] + phi_a[1] * under[1]) * part.half;
             forces[1] += (phi_b[0] * under[0] + phi_b[1] * under[1]) * part.half;
         }
     }
-    Some(forces)
+    forces
 }
 
 /// Returns an initial open span around a node with a tensile point force, or `None` if its end forces are not tensile.
@@ -245,7 +278,7 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
         return None;
     }
     let points = [BeamPoint { s: 1.0 - before, ..a }, BeamPoint { s: after - 1.0, ..b }];
-    let forces = end_forces(w, points.map(Some))?;
+    let forces = ShortSpan::of(w, points.map(Some), |i| w.pressure(i))?.forces;
     (forces[0] < 0.0 && forces[1] < 0.0).then_some(points)
 }
 
@@ -254,32 +287,67 @@ fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
     let subgrade = cell.subgrade.value();
     let bend = 4.0 * cell.shear_layer.value() / (cell.length() * cell.length());
-    let terms = w.obstacle(i);
-    let terms = terms.iter().enumerate();
-    terms.map(|(j, c)| c.value().abs() * (subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
+    let mut sum = 0.0;
+    let mut power = 0.0;
+    for c in w.obstacle(i).iter() {
+        sum += c.value().abs() * (subgrade + bend * power * (power - 1.0));
+        power += 1.0;
+    }
+    sum
 }
 
 /// Computes the displacement of unloaded ground at the ends of consecutive parts: 0 at the first end, 1 at the last
 /// end.
-fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned: bool) -> Vec<R> {
-    let mut values = vec![R::ZERO];
+fn shape<'a, R: Real + 'a>(
+    parts: impl Iterator<Item = &'a SpanPart<R>>,
+    turned: bool,
+) -> [R; MOST_CELLS + 1] {
+    let mut values = [R::ZERO; MOST_CELLS + 1];
     let (mut phi, mut flux) = (R::ZERO, R::ONE);
-    for part in parts {
+    for (part, value) in parts.zip(&mut values[1..]) {
         [phi, flux] = part.cross(phi, flux, turned);
-        values.push(phi);
+        *value = phi;
     }
-    values.iter().map(|value| *value / phi).collect()
+    values.map(|value| value / phi)
 }
 
-/// Positive points and weights of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table
-/// 25.4). A pressure series times a settlement shape needs its degree of 31.
-const GAUSS_16: [(f64, f64); 8] = [
-    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
-    (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
-    (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
-    (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
-    (0.755_404_408_355_003, 0.124_628_971_255_533_88),
-    (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
-    (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
-    (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
+/// Points of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table 25.4). A pressure
+/// series times a settlement shape needs its degree of 31.
+const POINTS: [f64; 16] = [
+    -0.989_400_934_991_649_9,
+    -0.944_575_023_073_232_6,
+    -0.865_631_202_387_831_8,
+    -0.755_404_408_355_003,
+    -0.617_876_244_402_643_8,
+    -0.458_016_777_657_227_37,
+    -0.281_603_550_779_258_9,
+    -0.095_012_509_837_637_44,
+    0.095_012_509_837_637_44,
+    0.281_603_550_779_258_9,
+    0.458_016_777_657_227_37,
+    0.617_876_244_402_643_8,
+    0.755_404_408_355_003,
+    0.865_631_202_387_831_8,
+    0.944_575_023_073_232_6,
+    0.989_400_934_991_649_9,
+];
+
+/// Weights of the [`POINTS`].
+const WEIGHTS: [f64; 16] = [
+    0.027_152_459_411_754_096,
+    0.062_253_523_938_647_894,
+    0.095_158_511_682_492_79,
+    0.124_628_971_255_533_88,
+    0.149_595_988_816_576_74,
+    0.169_156_519_395_002_54,
+    0.182_603_415_044_923_58,
+    0.189_450_610_455_068_5,
+    0.189_450_610_455_068_5,
+    0.182_603_415_044_923_58,
+    0.169_156_519_395_002_54,
+    0.149_595_988_816_576_74,
+    0.124_628_971_255_533_88,
+    0.095_158_511_682_492_79,
+    0.062_253_523_938_647_894,
+    0.027_152_459_411_754_096,
 ];

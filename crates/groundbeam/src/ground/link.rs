@@ -10,7 +10,7 @@
 use crate::model::GroundOutside;
 use crate::model::outside::OutsideLayer;
 use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
-use crate::numeric::polynomial::{Coefficients, jet, value};
+use crate::numeric::polynomial::{Coefficients, derivative, ends, trimmed, value};
 use crate::numeric::real::Real;
 
 /// The three springs that are equivalent to a stretch of unloaded ground, for forces at its left and its right end.
@@ -25,10 +25,19 @@ pub(crate) struct TwoPort<R = f64> {
 }
 
 impl<R: Real> TwoPort<R> {
+    /// The two-port of a stretch of length zero. Its series stiffness is practically infinite, so both ends have the
+    /// same settlement.
+    pub fn rigid() -> Self {
+        TwoPort { series: R::from(f64::MAX), shunt_left: R::ZERO, shunt_right: R::ZERO }
+    }
+
     /// The two-port (the three equivalent springs) of a uniform stretch of ground of length h, with k > 0 and μ > 0.
     pub fn uniform(k: R, mu: R, h: f64) -> Self {
-        let stiffness = (k * mu).sqrt();
-        let bh = (k / mu).sqrt() * h;
+        Self::of_decay((k * mu).sqrt(), (k / mu).sqrt() * h)
+    }
+
+    /// The two-port of a uniform stretch of ground of the length `bh`, in decay lengths √(μ/k). `stiffness` is √(kμ).
+    pub fn of_decay(stiffness: R, bh: R) -> Self {
         // The formula uses e^(−bh), because sinh(bh) would overflow.
         let decay = exp(-bh);
         let series = stiffness * 2.0 * decay / -expm1(bh * -2.0);
@@ -101,6 +110,7 @@ pub(crate) struct Pair<R> {
 
 impl<R: Real> Pair<R> {
     pub fn new(spring: &[R], shear: &[R], half: f64) -> Self {
+        let [spring, shear] = [spring, shear].map(trimmed);
         let reach = spring.len().max(shear.len());
         let solution = |first: [R; 2]| {
             let mut c = [R::ZERO; SURFACE_TERMS];
@@ -151,15 +161,15 @@ impl<R: Real> Pair<R> {
     /// Wronskian of `one` and `rising`, a constant, divided by the determinant of `amplitudes`.
     pub fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
-        let slope = |end: f64| {
-            let [_, one, ..] = jet(&self.one, end);
-            let [_, rising, ..] = jet(&self.rising, end);
-            (level * one + rise * rising) * value(shear, end) / half
-        };
+        let [one, rising] = [&self.one, &self.rising].map(|c| ends(&derivative(c)));
+        let fluxes: [R; 2] = std::array::from_fn(|end| {
+            let mu = value(shear, [-1.0, 1.0][end]);
+            (level * one[end] + rise * rising[end]) * mu / half
+        });
         TwoPort {
             series: shear[0] / (determinant * half),
-            shunt_left: -slope(-1.0),
-            shunt_right: slope(1.0),
+            shunt_left: -fluxes[0],
+            shunt_right: fluxes[1],
         }
     }
 }

@@ -72,7 +72,8 @@ impl<R: Real> Deflection<'_, R> {
     /// initial gap and the free-field settlement.
     pub fn flux(&self, point: BeamPoint) -> R {
         let cell = &self.mesh.cells[point.cell];
-        let slope = jet(self.cell(point.cell), point.s)[1] * 2.0 / cell.length() - cell.gap_slope;
+        let [_, per_s] = with_slope(self.cell(point.cell), point.s);
+        let slope = per_s * 2.0 / cell.length() - cell.gap_slope;
         cell.ground_at(point.s)[1] * (slope - cell.free_field_at(point.s)[1])
     }
 
@@ -88,7 +89,7 @@ impl<R: Real> Deflection<'_, R> {
         if before == after && a.gap_slope == b.gap_slope {
             return -b.ground_force;
         }
-        let slope = jet(self.cell(i), -1.0)[1] * 2.0 / b.length();
+        let slope = with_slope(self.cell(i), -1.0)[1] * 2.0 / b.length();
         (before - after) * slope - (before * a.gap_slope - after * b.gap_slope) - b.ground_force
     }
 

@@ -42,7 +42,7 @@ impl<R: Real> Coefficients<R> {
 
     /// Returns the same polynomial without the zero coefficients of its highest powers.
     pub fn without_zeros(mut self) -> Self {
-        self.count = self.iter().rposition(|c| *c != R::ZERO).map_or(0, |last| last + 1);
+        self.count = trimmed(&self).len();
         self
     }
 
@@ -101,9 +101,25 @@ pub(crate) fn values<R: Real>(c: &[R]) -> Coefficients {
     c.iter().map(|c| c.value()).collect()
 }
 
+/// Returns the coefficients without the zeros of the highest powers.
+pub(crate) fn trimmed<R: Real>(c: &[R]) -> &[R] {
+    &c[..c.iter().rposition(|c| *c != R::ZERO).map_or(0, |last| last + 1)]
+}
+
 /// Value of a polynomial f(s).
 pub(crate) fn value<R: Real>(c: &[R], s: f64) -> R {
     c.iter().rev().fold(R::ZERO, |sum, &a| sum * s + a)
+}
+
+/// Values of a polynomial f(s) at N points. They are bitwise equal to those of [`value`].
+pub(crate) fn values_at<R: Real, const N: usize>(c: &[R], points: &[f64; N]) -> [R; N] {
+    let mut values = [R::ZERO; N];
+    for a in c.iter().rev() {
+        for (value, s) in values.iter_mut().zip(points) {
+            *value = *value * *s + *a;
+        }
+    }
+    values
 }
 
 /// Values of a polynomial f(s) and of its derivative f'(s) with respect to s.
@@ -126,11 +142,11 @@ pub(crate) fn jet<R: Real>(c: &[R], s: f64) -> [R; 4] {
 }
 
 /// Values f(−1) and f(1) of a polynomial.
-pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
-    let [mut even, mut odd] = [0.0; 2];
+pub(crate) fn ends<R: Real>(c: &[R]) -> [R; 2] {
+    let [mut even, mut odd] = [R::ZERO; 2];
     for powers in c.chunks(2).rev() {
         even += powers[0];
-        odd += powers.get(1).copied().unwrap_or(0.0);
+        odd += powers.get(1).copied().unwrap_or(R::ZERO);
     }
     [even - odd, even + odd]
 }
