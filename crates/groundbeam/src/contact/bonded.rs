@@ -9,7 +9,7 @@ use crate::contact::state::{ContactState, rotation_terms};
 use crate::contact::stopping::{STIFFEN, STIFFEST_SPRING, ULPS};
 use crate::element::element::Element;
 use crate::element::operator::{Operator, ZoneKind};
-use crate::element::{ExactElement, cut, cut_equally};
+use crate::element::{ElementRow, ExactElement, cut, cut_equally};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::{Mesh, Node};
@@ -141,8 +141,8 @@ impl<'a> Bonded<'a> {
         }
         let (mesh, zones) = self.mesh_on(intervals, &[]);
         let axial = self.model.beam.axial_force;
-        let elements =
-            mesh.cells.iter().map(|cell| ExactElement::of(cell, axial, touch(cell)).element);
+        let mut row = ElementRow::default();
+        let elements = mesh.cells.iter().map(|cell| row.next(cell, axial, touch(cell)).element);
         let solved = chain_of(&mesh, &zones, elements).solve();
         solved.is_ok_and(|shapes| shapes.as_flattened().iter().all(|v| v.is_finite()))
     }
@@ -259,6 +259,7 @@ impl<'a> Bonded<'a> {
     /// Computes the elements of a mesh. Elements of the previous step are reused.
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
+        let mut row = ElementRow::default();
         let Bonded { known, spare, .. } = self;
         std::mem::swap(known, spare);
         known.reserve(mesh.cells.len());
@@ -275,7 +276,7 @@ impl<'a> Bonded<'a> {
             known.push(reused.unwrap_or_else(|| Known {
                 x,
                 touch,
-                exact: ExactElement::of(cell, axial, touch),
+                exact: row.next(cell, axial, touch),
             }));
         }
     }

@@ -18,6 +18,7 @@ use element::{Element, LONGEST_SERIES};
 use layers::Layers;
 use operator::{Operator, ZoneKind};
 use series::Series;
+use std::rc::Rc;
 use uniform::Uniform;
 
 /// Appends the positions at which a cell is cut into equal elements.
@@ -67,7 +68,7 @@ enum Functions<R> {
     Uniform(Uniform<R>),
     /// Power series coefficients of w in a quiet element. They do not depend on the motion of its ends.
     Quiet([R; TERMS]),
-    Series(Box<Series<R>>),
+    Series(Rc<Series<R>>),
 }
 
 impl<R: Real> ExactElement<R> {
@@ -79,7 +80,7 @@ impl<R: Real> ExactElement<R> {
     pub fn new(operator: &Operator<R>, length: f64) -> Self {
         if let Some(polynomials) = &operator.polynomials {
             let (element, series) = Series::new(polynomials, length);
-            return ExactElement { element, functions: Functions::Series(Box::new(series)) };
+            return ExactElement { element, functions: Functions::Series(Rc::new(series)) };
         }
         // Only a quiet element is longer than two equal elements.
         if parts(operator, length) > 2 {
@@ -138,5 +139,32 @@ impl<R: Real> ExactElement<R> {
             Functions::Quiet(series) => (*series, [R::ZERO; 2]),
             Functions::Series(series) => (series.deflection(v), [R::ZERO; 2]),
         }
+    }
+}
+
+/// Computes the elements of cells, from left to right. Equal consecutive cells share the power series of one element.
+#[derive(Debug, Default)]
+pub(crate) struct ElementRow {
+    last: Option<(Operator, ExactElement)>,
+}
+
+impl ElementRow {
+    /// Returns the element of the next cell. It equals the previous element if both cells have the same coefficients
+    /// and lengths, up to the rounding error of the lengths.
+    pub fn next(&mut self, cell: &Cell, axial_force: f64, touch: ZoneKind) -> ExactElement {
+        let operator = Operator::of(cell, axial_force, touch);
+        if operator.polynomials.is_none() {
+            return ExactElement::new(&operator, cell.length());
+        }
+        let rounding = 2.0 * f64::EPSILON * cell.x[1];
+        let is_equal = |(last, exact): &&(Operator, ExactElement)| {
+            (exact.element.length - cell.length()).abs() <= rounding && *last == operator
+        };
+        if let Some((_, exact)) = self.last.as_ref().filter(is_equal) {
+            return exact.clone();
+        }
+        let exact = ExactElement::new(&operator, cell.length());
+        self.last = Some((operator, exact.clone()));
+        exact
     }
 }

@@ -17,7 +17,7 @@ pub(crate) enum ZoneKind {
 }
 
 /// The coefficients of the beam equation (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Operator<R = f64> {
     /// Bending stiffness EI.
     pub stiffness: R,
@@ -98,7 +98,7 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
 
 /// The coefficients of the beam equation on a cell, with or without contact, as polynomials in the local coordinate s ∈
 /// \[−1, 1\].
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Polynomials<R = f64> {
     /// Bending stiffness EI.
     pub stiffness: [R; Profile::MOST],
