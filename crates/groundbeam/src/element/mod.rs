@@ -168,3 +168,37 @@ impl ElementRow {
         exact
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::mesh::Mesh;
+    use crate::model::{Beam, Foundation, Load, Model};
+
+    /// Whether the second of two elements shares the power series of the first.
+    fn is_shared(cells: [&Cell; 2]) -> bool {
+        let mut row = ElementRow::default();
+        let elements = cells.map(|cell| row.next(cell, 0.0, ZoneKind::Contact));
+        match [&elements[0].functions, &elements[1].functions] {
+            [Functions::Series(first), Functions::Series(second)] => Rc::ptr_eq(first, second),
+            _ => false,
+        }
+    }
+
+    /// Elements share a power series if their cells have the same coefficients, and lengths that differ by the rounding
+    /// error of the positions.
+    #[test]
+    fn equal_consecutive_cells_share_a_power_series() {
+        let mut beam = Beam::uniform(1.0, 1.0);
+        beam.shear_stiffness = Some(5.0);
+        let model = Model::new(beam, Foundation::pasternak(3.0, 2.0))
+            .with_load(Load::uniform_force(0.0, 1.0, 4.0));
+        let mesh = Mesh::build(&model, &[], |_| 3);
+        let [first, second, third] = [0, 1, 2].map(|i| mesh.cells[i]);
+        assert_ne!(first.length(), second.length(), "the lengths of thirds differ by rounding");
+        assert!(is_shared([&first, &second]) && is_shared([&second, &third]));
+        let longer = Cell { x: [second.x[0], second.x[1] + 1e-14], ..second };
+        let loaded = Cell { load: [4.0, 4.0 + 1e-14], ..second };
+        assert!(!is_shared([&first, &longer]) && !is_shared([&first, &loaded]));
+    }
+}

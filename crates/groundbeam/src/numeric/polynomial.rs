@@ -273,6 +273,14 @@ mod tests {
     }
 
     #[test]
+    fn values_at_many_points_are_those_at_each_point() {
+        let c = [0.5, -0.75, 0.25, 1.5, -1.0];
+        let points = [-1.0, -0.3, 0.0, 0.7];
+        assert_eq!(values_at(&c, &points), points.map(|s| value(&c, s)));
+        assert_eq!(ends(&c), [-1.0, 1.0].map(|s| value(&c, s)));
+    }
+
+    #[test]
     fn a_quotient_times_its_divisor_is_the_polynomial() {
         // The product (s + 1)(2 − s + 3s²) = 2 + s + 2s² + 3s³ is computed by hand.
         assert_eq!(*divided(&[2.0, 1.0, 2.0, 3.0], -1.0), [2.0, -1.0, 3.0]);
