@@ -35,12 +35,6 @@ impl Size {
         Size::rounded_up(self.0.sqrt(), self.0 == 0.0)
     }
 
-    /// Returns the smallest double that is larger than `x`, or `x` itself if it is exact.
-    fn rounded_up(x: f64, is_exact: bool) -> Self {
-        let Size(x) = Size::of(x);
-        Size(f64::from_bits(x.to_bits() + u64::from(!is_exact & (x < f64::INFINITY))))
-    }
-
     pub fn square(self) -> Self {
         self * self
     }
@@ -53,6 +47,13 @@ impl Size {
     /// The smaller of two sizes.
     pub fn least(self, other: Size) -> Self {
         if other.0 < self.0 { other } else { self }
+    }
+
+    /// Rounds `x` up to the next double, unless it is exact. Infinity remains, and NaN becomes infinity. The operators
+    /// `&` and `|` avoid branches.
+    fn rounded_up(x: f64, is_exact: bool) -> Self {
+        let Size(x) = Size::of(x);
+        Size(f64::from_bits(x.to_bits() + u64::from(!is_exact & (x < f64::INFINITY))))
     }
 }
 

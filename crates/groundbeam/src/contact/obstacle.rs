@@ -334,7 +334,7 @@ impl<'a> Scan<'a> {
     }
 
     /// Finds the position in a cell at which the function `force` changes its sign. `sense` is the sign of the force at
-    /// the right end of the cell, and `first` the force at the start, if known. Bisection replaces a Newton step that
+    /// the right end of the cell, and `first` the value of `force` at the start, if known. Bisection replaces a Newton step that
     /// leaves the bracket or does not halve the force.
     fn tangent(
         &self,

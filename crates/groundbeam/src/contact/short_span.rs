@@ -1,4 +1,4 @@
-//! Computes the contact forces at the ends of a short span of open ground from the pressure π that would close the span.
+//! Computes the end forces of a short span of open ground from the pressure π that would close it, and its two-port.
 //!
 //! In a span that has just opened, differences of slopes lose digits. Green's identity gives the end forces A = ∫ π φ_a
 //! dx and B = ∫ π φ_b dx. φ_a is the settlement of unloaded ground that is 1 at the left end and 0 at the right end,
@@ -105,13 +105,14 @@ impl<R: Real> SpanPart<R> {
 
     /// Returns the values of the two settlement shapes of uniform ground at the points of the quadrature. The shape
     /// that is 1 at the right end is sinh(tz)/sinh(z): z is the length times √(k/μ), and t the relative position.
-    fn uniform_surfaces(&self) -> [[R; 16]; 2] {
+    fn uniform_surfaces(&self) -> [[R; POINTS.len()]; 2] {
         let square = self.length * self.length;
         let whole = sinh_over(square);
         let rising = POINTS.map(|s| {
             let t = 0.5 * (1.0 + s);
             sinh_over(square * (t * t)) * t / whole
         });
+        // The points are symmetric, so the other shape has the same values in reverse order.
         let mut falling = rising;
         falling.reverse();
         [falling, rising]
@@ -140,10 +141,20 @@ pub(crate) fn fluxes<R: Real>(
     ends: [Option<BeamPoint>; 2],
     link: &TwoPort<R>,
 ) -> [R; 2] {
+    fluxes_of(w, ends, link, ShortSpan::of(w, ends, |i| w.pressure(i)).as_ref())
+}
+
+/// Computes the forces at both ends of an open span, from the forces of `short` if the span is short.
+fn fluxes_of<R: Real>(
+    w: &Deflection<R>,
+    ends: [Option<BeamPoint>; 2],
+    link: &TwoPort<R>,
+    short: Option<&ShortSpan<R>>,
+) -> [R; 2] {
     let of = |f: &dyn Fn(BeamPoint) -> R| ends.map(|end| end.map_or(R::ZERO, f));
-    if let Some(short) = ShortSpan::of(w, ends, |i| w.pressure(i)) {
-        let ([a, b], [left, right]) = (short.forces, of(&|point| w.flux(point)));
-        return [a - left, b + right];
+    if let Some(ShortSpan { forces: [a, b], .. }) = short {
+        let [left, right] = of(&|point| w.flux(point));
+        return [*a - left, *b + right];
     }
     let [left, right] = of(&|point| w.obstacle_at(point));
     [link.force_left(left, right), link.force_right(left, right)]
@@ -159,8 +170,9 @@ pub(crate) fn bonded_fluxes<R: Real>(
     let kink = |end: Option<BeamPoint>| {
         end.map_or(R::ZERO, |point| w.flux(point) - w.flux(open_side(w, point)))
     };
-    let [left, right] = fluxes(w, ends, link);
-    match ShortSpan::of(w, ends, |i| w.pressure(i)) {
+    let short = ShortSpan::of(w, ends, |i| w.pressure(i));
+    let [left, right] = fluxes_of(w, ends, link, short.as_ref());
+    match short {
         Some(_) => [left + kink(ends[0]), right - kink(ends[1])],
         None => [left, right],
     }
@@ -210,23 +222,21 @@ impl<R: Real> ShortSpan<R> {
         if whole > LONGEST {
             return None;
         }
-        if whole > 0.0 {
-            let size = |i: usize| 2.0 * half(i) * pressure_size(w, i);
-            let softness = |i: usize| 2.0 * half(i) / w.mesh.cells[i].shear_layer.value();
-            let noise: f64 = cells.clone().map(size).sum();
-            let soft: f64 = cells.clone().map(softness).sum();
-            if noise * soft > w.obstacle_at(a).value().abs() + w.obstacle_at(b).value().abs() {
-                return None;
-            }
-        }
-        let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
-        let parts: Vec<SpanPart<R>> = cells.map(part).collect::<Option<_>>()?;
         if whole <= 0.0 {
             // A span of zero length carries the point force at its node, half at each end. If this force is tensile,
             // the span opens.
-            let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
-            return Some(ShortSpan { forces: [half_force; 2], parts });
+            let half_force = cells.skip(1).map(|i| w.corner(i) * 0.5).sum();
+            return Some(ShortSpan { forces: [half_force; 2], parts: Vec::new() });
         }
+        let size = |i: usize| 2.0 * half(i) * pressure_size(w, i);
+        let softness = |i: usize| 2.0 * half(i) / w.mesh.cells[i].shear_layer.value();
+        let noise: f64 = cells.clone().map(size).sum();
+        let soft: f64 = cells.clone().map(softness).sum();
+        if noise * soft > w.obstacle_at(a).value().abs() + w.obstacle_at(b).value().abs() {
+            return None;
+        }
+        let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
+        let parts: Vec<SpanPart<R>> = cells.map(part).collect::<Option<_>>()?;
         Some(ShortSpan { forces: end_forces(w, &parts, pressure), parts })
     }
 
@@ -287,13 +297,12 @@ fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
     let subgrade = cell.subgrade.value();
     let bend = 4.0 * cell.shear_layer.value() / (cell.length() * cell.length());
-    let mut sum = 0.0;
-    let mut power = 0.0;
-    for c in w.obstacle(i).iter() {
-        sum += c.value().abs() * (subgrade + bend * power * (power - 1.0));
-        power += 1.0;
-    }
-    sum
+    let terms = w.obstacle(i);
+    let sizes = terms.iter().zip(0_u8..).map(|(c, j)| {
+        let j = f64::from(j);
+        c.value().abs() * (subgrade + bend * j * (j - 1.0))
+    });
+    sizes.sum()
 }
 
 /// Computes the displacement of unloaded ground at the ends of consecutive parts: 0 at the first end, 1 at the last
@@ -311,43 +320,30 @@ fn shape<'a, R: Real + 'a>(
     values.map(|value| value / phi)
 }
 
-/// Points of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table 25.4). A pressure
-/// series times a settlement shape needs its degree of 31.
-const POINTS: [f64; 16] = [
-    -0.989_400_934_991_649_9,
-    -0.944_575_023_073_232_6,
-    -0.865_631_202_387_831_8,
-    -0.755_404_408_355_003,
-    -0.617_876_244_402_643_8,
-    -0.458_016_777_657_227_37,
-    -0.281_603_550_779_258_9,
-    -0.095_012_509_837_637_44,
-    0.095_012_509_837_637_44,
-    0.281_603_550_779_258_9,
-    0.458_016_777_657_227_37,
-    0.617_876_244_402_643_8,
-    0.755_404_408_355_003,
-    0.865_631_202_387_831_8,
-    0.944_575_023_073_232_6,
-    0.989_400_934_991_649_9,
+/// Positive points and weights of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table
+/// 25.4). A pressure series times a settlement shape needs its degree of 31.
+const GAUSS_16: [(f64, f64); 8] = [
+    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
+    (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
+    (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
+    (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
+    (0.755_404_408_355_003, 0.124_628_971_255_533_88),
+    (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
+    (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
+    (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
 ];
 
-/// Weights of the [`POINTS`].
-const WEIGHTS: [f64; 16] = [
-    0.027_152_459_411_754_096,
-    0.062_253_523_938_647_894,
-    0.095_158_511_682_492_79,
-    0.124_628_971_255_533_88,
-    0.149_595_988_816_576_74,
-    0.169_156_519_395_002_54,
-    0.182_603_415_044_923_58,
-    0.189_450_610_455_068_5,
-    0.189_450_610_455_068_5,
-    0.182_603_415_044_923_58,
-    0.169_156_519_395_002_54,
-    0.149_595_988_816_576_74,
-    0.124_628_971_255_533_88,
-    0.095_158_511_682_492_79,
-    0.062_253_523_938_647_894,
-    0.027_152_459_411_754_096,
-];
+/// All points and weights of [`GAUSS_16`], from left to right. Each point s has its mirror image −s.
+const QUADRATURE: ([f64; 16], [f64; 16]) = {
+    let (mut points, mut weights) = ([0.0; 16], [0.0; 16]);
+    let mut i = 0;
+    while i < 8 {
+        let (s, weight) = GAUSS_16[i];
+        (points[7 - i], points[8 + i]) = (-s, s);
+        (weights[7 - i], weights[8 + i]) = (weight, weight);
+        i += 1;
+    }
+    (points, weights)
+};
+const POINTS: [f64; 16] = QUADRATURE.0;
+const WEIGHTS: [f64; 16] = QUADRATURE.1;

@@ -7,7 +7,7 @@
 
 use crate::element::element::{Basis, Element};
 use crate::element::operator::Polynomials;
-use crate::numeric::polynomial::TERMS;
+use crate::numeric::polynomial::{TERMS, trimmed};
 use crate::numeric::real::{Real, sum};
 
 /// One number for each of the five solutions of an element: four homogeneous solutions and one particular solution.
@@ -243,12 +243,6 @@ fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
 /// Superposes the forces on the element in the four homogeneous solutions, each multiplied by its amplitude in `by`.
 fn combined<R: Real>(forces: &[[R; 4]; 4], by: &[R; 4]) -> [R; 4] {
     std::array::from_fn(|i| sum::<R, 4>(|j| by[j] * forces[j][i]))
-}
-
-/// The polynomial without trailing zero coefficients.
-fn trimmed<R: Real>(c: &[R]) -> &[R] {
-    let count = c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
-    &c[..count]
 }
 
 /// Computes the coefficient of s^j of the product f g for each solution g. The first `skipped` coefficients of f are

@@ -10,7 +10,7 @@
 use crate::model::GroundOutside;
 use crate::model::outside::OutsideLayer;
 use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
-use crate::numeric::polynomial::{Coefficients, derivative, ends, trimmed, value};
+use crate::numeric::polynomial::{Coefficients, derivative, ends, trimmed};
 use crate::numeric::real::Real;
 
 /// The three springs that are equivalent to a stretch of unloaded ground, for forces at its left and its right end.
@@ -162,10 +162,8 @@ impl<R: Real> Pair<R> {
     pub fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let [one, rising] = [&self.one, &self.rising].map(|c| ends(&derivative(c)));
-        let fluxes: [R; 2] = std::array::from_fn(|end| {
-            let mu = value(shear, [-1.0, 1.0][end]);
-            (level * one[end] + rise * rising[end]) * mu / half
-        });
+        let mu = ends(shear);
+        let fluxes = [0, 1].map(|i| (level * one[i] + rise * rising[i]) * mu[i] / half);
         TwoPort {
             series: shear[0] / (determinant * half),
             shunt_left: -fluxes[0],

@@ -228,11 +228,12 @@ pub(crate) fn product<R: Real>(f: &[R], g: &[R]) -> Coefficients<R> {
     out
 }
 
-/// Integral ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] of the derivatives of order n = `order` ≤ 2.
+/// Integral ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] of the derivatives of order n = `order`.
 pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
     if order > 0 {
         return inner(&derivative(f), &derivative(g), order - 1);
     }
+    debug_assert!(f.len().max(g.len()) <= MOST_COEFFICIENTS);
     // The integral ∫ s^(i+j) ds over [−1, 1] is 2/(i+j+1) for even i + j and zero for odd i + j. Loops of constant
     // length let the compiler use vector instructions.
     let of_parity = |first: usize| {
@@ -252,7 +253,7 @@ pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
 const HALF: usize = MOST_COEFFICIENTS.div_ceil(2);
 
 /// Integrals ∫ s^(2n) ds over \[−1, 1\] for n = 0, 1, …
-pub(crate) const POWERS: [f64; 2 * HALF] = {
+const POWERS: [f64; 2 * HALF] = {
     let mut all = [0.0; 2 * HALF];
     let mut n = 0;
     while n < all.len() {

@@ -130,11 +130,13 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     for piece in candidate.pieces.iter().filter(|piece| has_inside(piece.x)) {
         let own = [-1.0, 1.0].map(|s| piece.cell.free_field_at(s)[0]);
         let from = pieces.last().map_or(0.0, |last| last.x[1]);
+        // Out of contact, w has few nonzero coefficients. The proof requires at least one coefficient.
+        let deflection = piece.deflection.without_zeros().at_least(1);
         pieces.push(proof::Piece {
             x: [from, piece.x[1]],
             half: piece.half,
             touches: piece.open.is_none(),
-            deflection: piece.deflection.without_zeros().at_least(1).to_vec(),
+            deflection: deflection.to_vec(),
             rotation: piece.rotation.to_vec(),
             pressure: piece.pressure.to_vec(),
             open: piece.open.map(|ends| [ends[0] + own[0], ends[1] + own[1]]),
