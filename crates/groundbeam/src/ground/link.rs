@@ -284,6 +284,7 @@ fn sinh_ratio<R: Real>(z: R, r: f64) -> R {
 mod tests {
     use super::*;
     use crate::numeric::elementary::cosh;
+    use crate::numeric::polynomial::value;
 
     #[test]
     fn two_halves_in_series_equal_the_whole() {
